@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+
+namespace nadir {
+
+/// An output file or folder that appears under its own name only when it is whole.
+///
+/// Write to path(), then commit(). Until then everything lies beside the target in
+/// `NAME.partial-PID`; without commit the destructor removes it, so that a failure or Ctrl+C leaves
+/// what was there before and no half-written output.
+class StagedOutput {
+ public:
+  /// Replaces an existing file on commit. @errors kIo: the parent folder is missing or not
+  /// writable.
+  [[nodiscard]] static Result<StagedOutput> file(const std::filesystem::path& target);
+  /// Makes an empty folder to fill. @errors kIo as above, or the target exists and is neither an
+  /// empty folder nor one that holds `replaceable_marker` (the file by which an earlier output of
+  /// the same kind is known, such as flight.toml).
+  [[nodiscard]] static Result<StagedOutput> folder(const std::filesystem::path& target,
+                                                   std::string_view replaceable_marker);
+
+  StagedOutput(StagedOutput&& other) noexcept;
+  StagedOutput& operator=(StagedOutput&& other) = delete;
+  ~StagedOutput();
+
+  [[nodiscard]] const std::filesystem::path& path() const { return staged_; }
+  /// Renames to the target. @errors kIo; the staged output is then removed by the destructor.
+  [[nodiscard]] Result<void> commit();
+
+ private:
+  StagedOutput(std::filesystem::path target, std::filesystem::path staged)
+      : target_(std::move(target)), staged_(std::move(staged)) {}
+
+  std::filesystem::path target_;
+  std::filesystem::path staged_;  ///< Empty once committed or moved from.
+};
+
+/// Writes a whole text file by way of StagedOutput. @errors kIo (folder missing, not writable, disk
+/// full).
+[[nodiscard]] Result<void> write_text_file(const std::filesystem::path& path,
+                                           std::string_view text);
+
+/// Reads a whole file. @errors kNotFound, kIo, or kUnsupported where it is larger than `max_bytes`.
+[[nodiscard]] Result<std::string> read_text_file(const std::filesystem::path& path,
+                                                 std::uintmax_t max_bytes = 1ULL << 30U);
+
+}  // namespace nadir

@@ -1,0 +1,66 @@
+# One function per kind of target, so that every target of ours gets the same language level and the same warnings.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+find_program(NADIR_CCACHE ccache)
+if(NADIR_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${NADIR_CCACHE})
+endif()
+
+# $<BOOL:address,undefined> is an error in CMake, hence the plain if().
+if(NADIR_SANITIZE)
+  add_compile_options(-fsanitize=${NADIR_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${NADIR_SANITIZE})
+endif()
+
+# Fused multiply-add would make results depend on the instruction set that a function was compiled for.
+add_compile_options(-ffp-contract=off)
+
+function(nadir_warnings target)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+endfunction()
+
+# nadir_add_module(core/mcl SOURCES a.cpp DEPENDS core/map PUBLIC_LIBRARIES x PRIVATE_LIBRARIES y)
+# Library core_mcl, alias nadir::core_mcl, include path the project's root.
+function(nadir_add_module path)
+  cmake_parse_arguments(MODULE "" "" "SOURCES;DEPENDS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  string(REPLACE "/" "_" name ${path})
+  add_library(${name} STATIC ${MODULE_SOURCES})
+  add_library(nadir::${name} ALIAS ${name})
+  target_include_directories(${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/nadir>)
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  foreach(dependency IN LISTS MODULE_DEPENDS)
+    string(REPLACE "/" "_" dependency_name ${dependency})
+    target_link_libraries(${name} PUBLIC ${dependency_name})
+  endforeach()
+  target_link_libraries(${name} PUBLIC ${MODULE_PUBLIC_LIBRARIES} PRIVATE ${MODULE_PRIVATE_LIBRARIES})
+  nadir_warnings(${name})
+  set_property(GLOBAL APPEND PROPERTY NADIR_MODULES ${name})
+endfunction()
+
+# nadir_add_test(core/mcl SOURCES a_test.cpp DEPENDS core_sim LABELS unit): one program, one CTest entry a test.
+function(nadir_add_test path)
+  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;DEPENDS;LABELS" ${ARGN})
+  string(REPLACE "/" "_" name ${path}_test)
+  add_executable(${name} ${TEST_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${TEST_DEPENDS} GTest::gmock GTest::gtest_main)
+  nadir_warnings(${name})
+  if(NOT TEST_LABELS)
+    set(TEST_LABELS unit)
+  endif()
+  if("threads" IN_LIST TEST_LABELS)  # what ThreadSanitizer looks at
+    add_dependencies(thread_tests ${name})
+  endif()
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 300)
+  endif()
+  add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
+  set_tests_properties(${name} PROPERTIES LABELS "${TEST_LABELS}" TIMEOUT ${TEST_TIMEOUT}
+    SKIP_REGULAR_EXPRESSION "NADIR_TEST_DATA is not set")
+endfunction()

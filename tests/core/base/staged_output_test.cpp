@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/staged_output.h"
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "tests/support/error_text.h"
+#include "tests/support/scratch_folder.h"
+
+namespace nadir {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+void write(const fs::path& path, std::string_view text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+std::string read(const fs::path& path) { return read_text_file(path).value_or("(unreadable)"); }
+
+TEST(StagedFile, AppearsOnlyOnCommit) {
+  const ScratchFolder folder;
+  const fs::path target = folder.path() / "run.nadir";
+  auto staged = StagedOutput::file(target);
+  ASSERT_TRUE(staged) << error_text(staged);
+  EXPECT_THAT(staged->path().filename().string(), HasSubstr("run.nadir.partial-"));
+  write(staged->path(), "whole");
+  EXPECT_FALSE(fs::exists(target));
+  EXPECT_TRUE(staged->commit());
+  EXPECT_EQ(read(target), "whole");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(StagedFile, WithoutCommitLeavesWhatWasThere) {
+  const ScratchFolder folder;
+  const fs::path target = folder.file("run.nadir", "old");
+  {
+    auto staged = StagedOutput::file(target);
+    ASSERT_TRUE(staged);
+    write(staged->path(), "half");
+  }
+  EXPECT_EQ(read(target), "old");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(StagedFile, CommitReplacesTheOldFile) {
+  const ScratchFolder folder;
+  const fs::path target = folder.file("run.nadir", "old");
+  EXPECT_TRUE(write_text_file(target, "new"));
+  EXPECT_EQ(read(target), "new");
+}
+
+TEST(StagedFile, AProcessThatDiesHalfWayLeavesTheOldFileWhole) {
+  const ScratchFolder folder;
+  const fs::path target = folder.file("run.nadir", "old");
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    auto staged = StagedOutput::file(target);
+    if (staged) write(staged->path(), "half");
+    ::_exit(0);  // as after SIGKILL: no destructor runs
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(read(target), "old");
+  EXPECT_TRUE(write_text_file(target, "new"));  // what the dead process left is in nobody's way
+  EXPECT_EQ(read(target), "new");
+}
+
+TEST(StagedFile, AMissingParentIsSaidBeforeAnyWork) {
+  const ScratchFolder folder;
+  const auto staged = StagedOutput::file(folder.path() / "none" / "run.nadir");
+  EXPECT_EQ(error_code(staged), ErrorCode::kIo);
+  EXPECT_THAT(error_text(staged), HasSubstr("none does not exist"));
+  const auto below_a_file = StagedOutput::file(folder.file("plain", "") / "run.nadir");
+  EXPECT_THAT(error_text(below_a_file), HasSubstr("does not exist"));
+}
+
+TEST(StagedFile, AFolderThatIsNotWritableIsSaidBeforeAnyWork) {
+  const ScratchFolder folder;
+  const fs::path locked = folder.path() / "locked";
+  fs::create_directory(locked);
+  fs::permissions(locked, fs::perms::owner_read | fs::perms::owner_exec);
+  if (::access(locked.c_str(), W_OK) == 0) GTEST_SKIP() << "root may write everywhere";
+  EXPECT_THAT(error_text(StagedOutput::file(locked / "run.nadir")), HasSubstr("is not writable"));
+  EXPECT_THAT(error_text(StagedOutput::folder(locked / "flight", "flight.toml")),
+              HasSubstr("is not writable"));
+}
+
+TEST(StagedFile, AFileSystemThatRefusesWritesIsSaidForRootToo) {
+  // The kernel's own tree takes no new files from anybody.
+  if (!fs::is_directory("/proc/self")) GTEST_SKIP() << "there is no /proc";
+  const auto written = write_text_file("/proc/self/run.nadir", "text");
+  EXPECT_EQ(error_code(written), ErrorCode::kIo);
+  EXPECT_THAT(error_text(written), HasSubstr("/proc/self/run.nadir: "));
+}
+
+TEST(StagedFile, AFolderOrAnEmptyNameIsNoTarget) {
+  const ScratchFolder folder;
+  EXPECT_THAT(error_text(StagedOutput::file(folder.path())), HasSubstr("is a folder, not a file"));
+  EXPECT_EQ(error_code(StagedOutput::file("")), ErrorCode::kInvalidOptions);
+  EXPECT_EQ(error_code(StagedOutput::folder("", "flight.toml")), ErrorCode::kInvalidOptions);
+}
+
+TEST(StagedFile, MovingItMovesTheDutyToCleanUp) {
+  const ScratchFolder folder;
+  {
+    auto staged = StagedOutput::file(folder.path() / "run.nadir");
+    ASSERT_TRUE(staged);
+    write(staged->path(), "half");
+    const StagedOutput moved = std::move(*staged);
+    EXPECT_TRUE(fs::exists(moved.path()));
+  }
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(StagedFolder, AppearsWholeOnCommit) {
+  const ScratchFolder folder;
+  const fs::path target = folder.path() / "flight";
+  auto staged = StagedOutput::folder(target, "flight.toml");
+  ASSERT_TRUE(staged) << error_text(staged);
+  write(staged->path() / "flight.toml", "name");
+  EXPECT_FALSE(fs::exists(target));
+  EXPECT_TRUE(staged->commit());
+  EXPECT_EQ(read(target / "flight.toml"), "name");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(StagedFolder, WithoutCommitLeavesNothing) {
+  const ScratchFolder folder;
+  {
+    auto staged = StagedOutput::folder(folder.path() / "flight", "flight.toml");
+    ASSERT_TRUE(staged);
+    write(staged->path() / "flight.toml", "half");
+  }
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(StagedFolder, ReplacesAnEarlierOutputOfTheSameKindWithAllThatWasInIt) {
+  const ScratchFolder folder;
+  const fs::path target = folder.path() / "flight";
+  (void)folder.file("flight/flight.toml", "old");
+  (void)folder.file("flight/depth/0.png", "old");
+  auto staged = StagedOutput::folder(target, "flight.toml");
+  ASSERT_TRUE(staged) << error_text(staged);
+  write(staged->path() / "flight.toml", "new");
+  EXPECT_EQ(read(target / "flight.toml"), "old");
+  EXPECT_TRUE(staged->commit());
+  EXPECT_EQ(read(target / "flight.toml"), "new");
+  EXPECT_FALSE(fs::exists(target / "depth"));
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(StagedFolder, LeavesAFolderOfOtherThingsAlone) {
+  const ScratchFolder folder;
+  (void)folder.file("thesis/chapter.tex", "three years of work");
+  const auto staged = StagedOutput::folder(folder.path() / "thesis", "flight.toml");
+  EXPECT_EQ(error_code(staged), ErrorCode::kIo);
+  EXPECT_THAT(error_text(staged), HasSubstr("holds no flight.toml, so it is left alone"));
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(StagedFolder, TakesAnEmptyFolderAndASlashAtTheEnd) {
+  const ScratchFolder folder;
+  fs::create_directory(folder.path() / "flight");
+  auto staged = StagedOutput::folder(folder.path() / "flight" / "", "flight.toml");
+  ASSERT_TRUE(staged) << error_text(staged);
+  EXPECT_EQ(staged->path().parent_path(), folder.path());
+  EXPECT_TRUE(staged->commit());
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(StagedFolder, AFileInItsPlaceIsAFault) {
+  const ScratchFolder folder;
+  EXPECT_THAT(error_text(StagedOutput::folder(folder.file("flight", ""), "flight.toml")),
+              HasSubstr("exists and is not a folder"));
+}
+
+TEST(StagedFolder, ACommitThatFailsKeepsTheOldFolder) {
+  const ScratchFolder folder;
+  (void)folder.file("flight/flight.toml", "old");
+  {
+    auto staged = StagedOutput::folder(folder.path() / "flight", "flight.toml");
+    ASSERT_TRUE(staged);
+    fs::remove_all(staged->path());  // somebody tidied up meanwhile
+    EXPECT_EQ(error_code(staged->commit()), ErrorCode::kIo);
+  }
+  EXPECT_EQ(read(folder.path() / "flight" / "flight.toml"), "old");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+/// Lets files grow to a few bytes only while it lives, which is what a full disk looks like, to
+/// root too.
+class FullDisk {
+ public:
+  FullDisk() : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &old_limit_);
+    rlimit limit = old_limit_;
+    limit.rlim_cur = 4096;
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &old_limit_);
+    (void)std::signal(SIGXFSZ, old_handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  void (*old_handler_)(int);
+  rlimit old_limit_{};
+};
+
+TEST(WriteTextFile, AFullDiskIsAFaultThatLeavesTheOldFile) {
+  const ScratchFolder folder;
+  const fs::path target = folder.file("table.csv", "old");
+  Result<void> written;
+  {
+    const FullDisk full;
+    written = write_text_file(target, std::string(1'000'000, 'x'));
+  }
+  EXPECT_EQ(error_code(written), ErrorCode::kIo);
+  EXPECT_THAT(error_text(written), HasSubstr("table.csv: cannot be written"));
+  EXPECT_EQ(read(target), "old");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(ReadTextFile, GivesEveryByte) {
+  const ScratchFolder folder;
+  std::string bytes(200'000, '\0');
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<char>(i * 7 % 256);
+  EXPECT_EQ(read_text_file(folder.file("a.bin", bytes)).value(), bytes);
+  EXPECT_EQ(read_text_file(folder.file("empty", "")).value(), "");
+}
+
+TEST(ReadTextFile, EachFaultNamesTheFile) {
+  const ScratchFolder folder;
+  const auto missing = read_text_file(folder.path() / "none");
+  EXPECT_EQ(error_code(missing), ErrorCode::kNotFound);
+  EXPECT_THAT(error_text(missing), HasSubstr("none: does not exist"));
+  EXPECT_EQ(error_code(read_text_file(folder.path())), ErrorCode::kIo);
+  const auto large = read_text_file(folder.file("large", std::string(1001, 'x')), 1000);
+  EXPECT_EQ(error_code(large), ErrorCode::kUnsupported);
+  EXPECT_THAT(error_text(large), HasSubstr("large: is larger than 1000 bytes"));
+  EXPECT_TRUE(read_text_file(folder.path() / "large", 1001));
+}
+
+}  // namespace
+}  // namespace nadir
