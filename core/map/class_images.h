@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/map/gdal_raster.h"
+#include "core/map/map_import.h"
+
+namespace nadir {
+
+/// The readers behind import_map. Private to this module.
+
+/// Labels as a source has them, already in our classes.
+struct SourceLabels {
+  Raster<ClassId> labels;
+  std::optional<Placement> placement;  ///< Where the source says it lies, if it does.
+  std::vector<std::string> notices;
+};
+
+/// One raster of class ids. @errors those of import_map.
+[[nodiscard]] Result<SourceLabels> read_label_image(const std::filesystem::path& path,
+                                                    const ImportOptions& options);
+
+/// A folder of class<N>.png or <class name>.png, one a class. Where several classes claim a cell,
+/// the later of kPaintingOrder wins. @errors those of import_map.
+[[nodiscard]] Result<SourceLabels> read_class_images(const std::filesystem::path& folder,
+                                                     const ImportOptions& options);
+
+/// Areas first, then what stands on them, then lines, then single things: what is thin would
+/// otherwise vanish.
+inline constexpr std::array<ClassId, kClassCount> kPaintingOrder{
+    kSky,         kTerrain,      kVegetation,  kSidewalk, kRoad, kBuilding,
+    kCurb,        kLaneMarking,  kRailing,     kFence,    kCar,  kPedestrian,
+    kTrafficSign, kTrafficLight, kStreetLight, kPole};
+
+}  // namespace nadir
