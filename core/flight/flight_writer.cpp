@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/flight/flight_writer.h"
+
+#include <cerrno>
+#include <cmath>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+#include "core/base/staged_output.h"
+#include "core/flight/flight_settings.h"
+#include "core/flight/frame_image.h"
+#include "core/flight/grey_image.h"
+#include "core/geo/trajectory_file.h"
+
+namespace nadir {
+namespace fs = std::filesystem;
+namespace {
+
+/// The folder is staged as a whole, so that its files need no staging of their own. A full disk
+/// shows at the latest when the file is closed. `shown` is the name that the file will have.
+Result<void> write_file(const fs::path& path, const fs::path& shown, std::string_view bytes) {
+  errno = 0;
+  std::ofstream stream(path, std::ios::binary);
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  stream.close();
+  if (stream) return {};
+  return fail(ErrorCode::kIo, "{}: cannot be written: {}", shown.string(),
+              errno != 0 ? std::generic_category().message(errno) : "the disk may be full");
+}
+
+std::string_view as_text(const std::vector<std::uint8_t>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+Result<EncodedFrame> encode_frame(const SemanticFrame& frame) {
+  const auto wrong = [&](std::string_view fault) {
+    return fail(ErrorCode::kMalformed, "frame at {} s: {}", frame.time_s, fault);
+  };
+  const Raster<ClassId>& labels = frame.labels;
+  const Raster<float>& depth_m = frame.depth_m;
+  if (!std::isfinite(frame.time_s)) return wrong("its time is not finite");
+  if (labels.empty()) return wrong("it has no labels");
+  if (labels.width() != depth_m.width() || labels.height() != depth_m.height()) {
+    return wrong(fmt::format("its labels are {} x {} pixels and its depth {} x {}", labels.width(),
+                             labels.height(), depth_m.width(), depth_m.height()));
+  }
+  for (const ClassId id : labels.values()) {
+    if (id < kClassCount || id == kUnclassified) continue;
+    return wrong(fmt::format("its labels have id {}, which is no class", static_cast<int>(id)));
+  }
+  auto labels_png = encode_label_png(labels);
+  if (!labels_png) return forward_error(labels_png);
+  auto depth_png = encode_depth_png(depth_m);
+  if (!depth_png) return forward_error(depth_png);
+  return EncodedFrame{frame.time_s, *std::move(labels_png), *std::move(depth_png)};
+}
+
+struct FlightWriter::Implementation {
+  StagedOutput output;
+  fs::path folder;  ///< The name that the flight will have.
+  FlightSettings settings;
+  std::string label_list = "# time_s file: class ids, 8 bit, 255 = unclassified\n";
+  std::string depth_list = "# time_s file: along the optical axis, 16 bit, 0 = none\n";
+  std::size_t frame_count = 0;
+  double last_time_s = 0.0;
+
+  [[nodiscard]] Result<void> write_text(const char* name, std::string_view text) const {
+    return write_file(output.path() / name, folder / name, text);
+  }
+  [[nodiscard]] Result<void> write_image(const std::string& name,
+                                         const std::vector<std::uint8_t>& png) const;
+};
+
+Result<void> FlightWriter::Implementation::write_image(const std::string& name,
+                                                       const std::vector<std::uint8_t>& png) const {
+  const fs::path shown = folder / name;
+  const auto header = check_png(png, shown.string());
+  if (!header) return forward_error(header);
+  if (settings.camera &&
+      (header->width != settings.camera->width || header->height != settings.camera->height)) {
+    return fail(ErrorCode::kMalformed, "{}: is {} x {} pixels, but the camera has {} x {}",
+                shown.string(), header->width, header->height, settings.camera->width,
+                settings.camera->height);
+  }
+  return write_file(output.path() / name, shown, as_text(png));
+}
+
+FlightWriter::FlightWriter(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+FlightWriter::FlightWriter(FlightWriter&&) noexcept = default;
+FlightWriter::~FlightWriter() = default;
+
+Result<FlightWriter> FlightWriter::create(const fs::path& folder,
+                                          const FlightDescription& description,
+                                          const std::string& provenance) {
+  FlightSettings settings;
+  settings.name = description.name;
+  settings.provenance = provenance;
+  settings.altitude_m = description.altitude_m;
+  settings.camera = description.camera;
+  settings.body_from_camera = description.body_from_camera;
+  settings.truth_origin = description.truth_origin;
+  // What is written must be readable: a wrong camera is found now and not after an hour of frames.
+  const auto readable = parse_flight_settings(flight_settings_text(settings), folder.string());
+  if (!readable) return forward_error(readable);
+
+  auto output = StagedOutput::folder(folder, "flight.toml");
+  if (!output) return forward_error(output);
+  for (const char* name : {"labels", "depth"}) {
+    std::error_code error;
+    fs::create_directory(output->path() / name, error);
+    if (error) {
+      return fail(ErrorCode::kIo, "{}: {}", (folder / name).string(), error.message());
+    }
+  }
+  return FlightWriter(std::make_unique<Implementation>(
+      Implementation{*std::move(output), folder, std::move(settings)}));
+}
+
+Result<void> FlightWriter::write(const EncodedFrame& frame) {
+  Implementation& flight = *implementation_;
+  if (!std::isfinite(frame.time_s) ||
+      (flight.frame_count > 0 && !(frame.time_s > flight.last_time_s))) {
+    return fail(ErrorCode::kMalformed, "{}: frame {} at {} s does not come after {} s",
+                flight.folder.string(), flight.frame_count, frame.time_s, flight.last_time_s);
+  }
+  const std::string labels = fmt::format("labels/{:06}.png", flight.frame_count);
+  const std::string depth = fmt::format("depth/{:06}.png", flight.frame_count);
+  if (const auto done = flight.write_image(labels, frame.labels_png); !done) return forward_error(done);
+  if (const auto done = flight.write_image(depth, frame.depth_png); !done) return forward_error(done);
+  flight.label_list += fmt::format("{} {}\n", frame.time_s, labels);
+  flight.depth_list += fmt::format("{} {}\n", frame.time_s, depth);
+  flight.last_time_s = frame.time_s;
+  ++flight.frame_count;
+  return {};
+}
+
+Result<void> FlightWriter::finish(const std::optional<Trajectory>& odometry,
+                                  const std::optional<Trajectory>& truth) {
+  Implementation& flight = *implementation_;
+  Result<void> done = flight.write_text("labels.txt", flight.label_list);
+  if (done) done = flight.write_text("depth.txt", flight.depth_list);
+  if (done && odometry && !odometry->empty()) {
+    done = flight.write_text("odometry.txt",
+                             tum_text(*odometry, "odom_from_body: time_s x y z qx qy qz qw"));
+  }
+  if (done && truth && !truth->empty()) {
+    done =
+        flight.write_text("truth.txt", tum_text(*truth, "enu_from_body: time_s x y z qx qy qz qw"));
+  }
+  if (done) done = flight.write_text("flight.toml", flight_settings_text(flight.settings));
+  return done ? flight.output.commit() : done;
+}
+
+}  // namespace nadir

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/flight/flight_recording.h"
+
+namespace nadir {
+
+/// A frame as its files will hold it. Encoding is a pure function, so that many frames can be
+/// encoded at once.
+struct EncodedFrame {
+  double time_s = 0.0;
+  std::vector<std::uint8_t> labels_png;  ///< 8 bit, class ids.
+  std::vector<std::uint8_t>
+      depth_png;  ///< 16 bit, millimetres, 0 = none; beyond 65.535 m counts as none.
+};
+[[nodiscard]] Result<EncodedFrame> encode_frame(const SemanticFrame& frame);
+
+/// Writes a native flight folder (core/flight/README.md). Nothing stands under the flight's own
+/// name before finish().
+class FlightWriter {
+ public:
+  /// Name, camera, body_from_camera, altitude and truth origin are taken from `description`; its
+  /// frames and trajectories are not. `provenance` is one sentence for flight.toml. @errors kIo:
+  /// the folder cannot be made or holds something else.
+  [[nodiscard]] static Result<FlightWriter> create(const std::filesystem::path& folder,
+                                                   const FlightDescription& description,
+                                                   const std::string& provenance);
+  FlightWriter(FlightWriter&&) noexcept;
+  ~FlightWriter();
+
+  /// Frames must come in order of time. @errors kIo (disk full).
+  [[nodiscard]] Result<void> write(const EncodedFrame& frame);
+  /// Writes lists, trajectories and flight.toml, and gives the folder its name.
+  [[nodiscard]] Result<void> finish(const std::optional<Trajectory>& odometry,
+                                    const std::optional<Trajectory>& truth);
+
+ private:
+  struct Implementation;
+  explicit FlightWriter(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace nadir

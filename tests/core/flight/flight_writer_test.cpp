@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/flight/flight_writer.h"
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <limits>
+
+#include "core/base/random.h"
+#include "tests/core/flight/flight_fixtures.h"
+
+namespace nadir {
+namespace {
+
+namespace fs = std::filesystem;
+using test::message_of;
+using test::small_camera;
+using test::small_frame;
+using test::straight_path;
+using testing::HasSubstr;
+
+FlightDescription small_description() {
+  FlightDescription flight;
+  flight.name = "written";
+  flight.camera = small_camera();
+  flight.body_from_camera = {forward_body_from_camera(), {0.1, 0.2, -0.3}};
+  flight.altitude_m = 2.5;
+  flight.truth_origin = Geodetic{33.450112, -83.901223};
+  return flight;
+}
+
+class FlightWriterTest : public testing::Test {
+ protected:
+  [[nodiscard]] fs::path target() const { return folder_.path() / "flight"; }
+  [[nodiscard]] Result<FlightWriter> create(const FlightDescription& flight) const {
+    return FlightWriter::create(target(), flight, "made by a test");
+  }
+  /// Names in the parent folder: nothing half-written may stay there.
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder_.path())) {
+      found.push_back(entry.path().filename().string());
+    }
+    return found;
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(FlightWriterTest, WhatIsWrittenIsReadBack) {
+  auto writer = create(small_description());
+  ASSERT_TRUE(writer) << message_of(writer);
+  // Times whose decimal text is long: they must come back to the last bit, or streams no longer
+  // meet.
+  const std::vector<double> times_s{0.1, 0.1 + 1.0 / 3.0, 1.0 / 0.7, 2.0};
+  for (std::size_t i = 0; i < times_s.size(); ++i) {
+    const auto encoded = encode_frame(small_frame(times_s[i], static_cast<int>(i)));
+    ASSERT_TRUE(encoded) << message_of(encoded);
+    ASSERT_TRUE(writer->write(*encoded));
+  }
+  const Trajectory truth = straight_path(0.0, 1.0 / 7.0, 20);
+  const Trajectory odometry = straight_path(0.05, 0.1, 30);
+  const auto finished = writer->finish(odometry, truth);
+  ASSERT_TRUE(finished) << message_of(finished);
+  EXPECT_THAT(names(), testing::ElementsAre("flight"));
+
+  const auto flight = open_flight(target());
+  ASSERT_TRUE(flight) << message_of(flight);
+  const FlightDescription& d = (*flight)->description();
+  EXPECT_EQ(d.name, "written");
+  EXPECT_EQ(d.altitude_m, 2.5);
+  EXPECT_EQ(d.camera->focal_y_px, small_camera().focal_y_px);
+  EXPECT_EQ(d.camera->centre_x_px, small_camera().centre_x_px);
+  EXPECT_EQ(d.camera->centre_y_px, small_camera().centre_y_px);
+  EXPECT_EQ(d.body_from_camera.translation_m, Eigen::Vector3d(0.1, 0.2, -0.3));
+  EXPECT_EQ(d.truth_origin->longitude_deg, -83.901223);
+  ASSERT_EQ(d.frames.size(), times_s.size());
+  ASSERT_EQ(d.odometry->size(), odometry.size());
+  ASSERT_EQ(d.truth->size(), truth.size());
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    EXPECT_EQ(d.truth->poses()[i].time_s, truth.poses()[i].time_s);
+    EXPECT_EQ(d.truth->poses()[i].pose.translation_m, truth.poses()[i].pose.translation_m);
+  }
+  for (std::size_t i = 0; i < times_s.size(); ++i) {
+    const auto frame = (*flight)->load(i);
+    ASSERT_TRUE(frame) << message_of(frame);
+    const SemanticFrame written = small_frame(times_s[i], static_cast<int>(i));
+    EXPECT_EQ(frame->time_s, written.time_s);
+    EXPECT_EQ(frame->labels, written.labels);
+    EXPECT_EQ(frame->depth_m, written.depth_m);  // Half metres are whole millimetres.
+  }
+}
+
+TEST_F(FlightWriterTest, TheSameFlightHasTheSameBytes) {
+  std::vector<std::string> contents;
+  for (int run = 0; run < 2; ++run) {
+    auto writer = create(small_description());
+    ASSERT_TRUE(writer->write(*encode_frame(small_frame(1.0))));
+    ASSERT_TRUE(writer->finish(straight_path(0.0, 0.1, 5), {}));
+    for (const char* name : {"flight.toml", "labels.txt", "depth/000000.png", "odometry.txt"}) {
+      contents.push_back(test::content_of(target() / name));
+      EXPECT_FALSE(contents.back().empty()) << name;
+    }
+  }
+  EXPECT_TRUE(std::equal(contents.begin(), contents.begin() + 4, contents.begin() + 4));
+}
+
+TEST_F(FlightWriterTest, NothingStaysWhereAFlightIsNotFinished) {
+  {
+    auto writer = create(small_description());
+    ASSERT_TRUE(writer->write(*encode_frame(small_frame(1.0))));
+    EXPECT_FALSE(fs::exists(target()));
+  }
+  EXPECT_THAT(names(), testing::IsEmpty());
+}
+
+TEST_F(FlightWriterTest, AbsentAndEmptyTrajectoriesAreLeftOut) {
+  auto writer = create(small_description());
+  ASSERT_TRUE(writer->finish({}, Trajectory()));
+  EXPECT_FALSE(fs::exists(target() / "odometry.txt"));
+  EXPECT_FALSE(fs::exists(target() / "truth.txt"));
+  EXPECT_TRUE(open_flight(target()));
+}
+
+TEST_F(FlightWriterTest, ProvenanceIsInTheFile) {
+  ASSERT_TRUE(create(small_description())->finish({}, {}));
+  EXPECT_THAT(test::content_of(target() / "flight.toml"),
+              HasSubstr("provenance = \"made by a test\""));
+}
+
+TEST_F(FlightWriterTest, AnOlderFlightIsReplacedAndOtherFoldersAreLeftAlone) {
+  ASSERT_TRUE(create(small_description())->finish({}, {}));
+  folder_.write("flight/leftover.txt", "old");
+  ASSERT_TRUE(create(small_description())->finish({}, {}));
+  EXPECT_FALSE(fs::exists(target() / "leftover.txt"));
+
+  folder_.write("thesis/chapter.txt", "precious");
+  const auto writer = FlightWriter::create(folder_.path() / "thesis", small_description(), "");
+  ASSERT_FALSE(writer);
+  EXPECT_EQ(writer.error().code, ErrorCode::kIo);
+  EXPECT_TRUE(fs::exists(folder_.path() / "thesis/chapter.txt"));
+}
+
+TEST_F(FlightWriterTest, AFolderWhoseParentIsMissingIsRefused) {
+  const auto writer =
+      FlightWriter::create(folder_.path() / "no" / "flight", small_description(), "");
+  ASSERT_FALSE(writer);
+  EXPECT_EQ(writer.error().code, ErrorCode::kIo);
+}
+
+TEST_F(FlightWriterTest, AnImpossibleCameraIsRefusedBeforeAnythingIsWritten) {
+  FlightDescription flight = small_description();
+  flight.camera->focal_x_px = -1.0;
+  EXPECT_FALSE(create(flight));
+  flight = small_description();
+  flight.altitude_m = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(create(flight));
+  EXPECT_THAT(names(), testing::IsEmpty());
+}
+
+TEST_F(FlightWriterTest, FramesMustComeInOrderOfTime) {
+  auto writer = create(small_description());
+  ASSERT_TRUE(writer->write(*encode_frame(small_frame(1.0))));
+  EXPECT_EQ(message_of(writer->write(*encode_frame(small_frame(1.0)))),
+            target().string() + ": frame 1 at 1 s does not come after 1 s");
+  EXPECT_FALSE(writer->write(*encode_frame(small_frame(0.5))));
+  EXPECT_TRUE(writer->write(*encode_frame(small_frame(1.5))));
+}
+
+TEST_F(FlightWriterTest, FramesMustHaveTheCamerasSize) {
+  FlightDescription flight = small_description();
+  flight.camera->width = 8;
+  auto writer = create(flight);
+  EXPECT_THAT(message_of(writer->write(*encode_frame(small_frame(1.0)))),
+              HasSubstr("labels/000000.png: is 4 x 3 pixels, but the camera has 8 x 3"));
+}
+
+/// Files can grow to `bytes` only while this lives: what a full disk looks like to a program.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+TEST_F(FlightWriterTest, ADiskThatFillsUpIsReportedAndLeavesNothing) {
+  FlightDescription description = small_description();
+  description.camera = CameraModel::from_horizontal_view(160, 120, 1.0);
+  SemanticFrame frame{1.0, Raster<ClassId>(160, 120), Raster<float>(160, 120)};
+  for (std::uint32_t i = 0; i < frame.labels.size(); ++i) {
+    frame.labels.values()[i] = static_cast<ClassId>(random_words({1, 0, i, 0, 0})[0] % kClassCount);
+  }
+  const auto encoded = encode_frame(frame);
+  ASSERT_TRUE(encoded) << message_of(encoded);
+  ASSERT_GT(encoded->labels_png.size(), 2000U);
+  {
+    auto writer = create(description);
+    ASSERT_TRUE(writer) << message_of(writer);
+    const FileSizeLimit limit(1000);
+    const auto written = writer->write(*encoded);
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().code, ErrorCode::kIo);
+    EXPECT_THAT(written.error().message,
+                HasSubstr("flight/labels/000000.png: cannot be written: "));
+  }
+  {
+    auto writer = create(description);
+    ASSERT_TRUE(writer->write(*encoded));
+    const FileSizeLimit limit(100);
+    const auto finished = writer->finish(straight_path(0.0, 0.1, 50), {});
+    ASSERT_FALSE(finished);
+    EXPECT_EQ(finished.error().code, ErrorCode::kIo);
+  }
+  EXPECT_THAT(names(), testing::IsEmpty());
+}
+
+TEST(EncodeFrame, RefusesWhatCouldNotBeReadBack) {
+  SemanticFrame frame = small_frame(3.2);
+  frame.labels.at(1, 1) = 16;
+  EXPECT_EQ(message_of(encode_frame(frame)),
+            "frame at 3.2 s: its labels have id 16, which is no class");
+  frame = small_frame(3.2);
+  frame.depth_m = Raster<float>(5, 3);
+  EXPECT_EQ(message_of(encode_frame(frame)),
+            "frame at 3.2 s: its labels are 4 x 3 pixels and its depth 5 x 3");
+  EXPECT_EQ(message_of(encode_frame({3.2, {}, {}})), "frame at 3.2 s: it has no labels");
+  EXPECT_FALSE(encode_frame(small_frame(std::numeric_limits<double>::quiet_NaN())));
+}
+
+}  // namespace
+}  // namespace nadir
