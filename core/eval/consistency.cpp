@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/eval/consistency.h"
+
+#include <Eigen/Cholesky>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+
+#include "core/base/angle.h"
+#include "core/base/require.h"
+
+namespace nadir {
+namespace {
+
+constexpr double kSingularBelow = 1e-12;
+
+template <int size>
+std::optional<double> squared_distance(const Eigen::Matrix<double, size, 1>& error,
+                                       const Eigen::Matrix<double, size, size>& covariance) {
+  if (!error.allFinite() || !covariance.allFinite()) return std::nullopt;
+  if (!(covariance.diagonal().array() > 0.0).all()) return std::nullopt;
+  using Vector = Eigen::Matrix<double, size, 1>;
+  const Vector one_by_sigma = covariance.diagonal().array().sqrt().inverse();
+  if (!one_by_sigma.allFinite()) return std::nullopt;
+  const Eigen::Matrix<double, size, size> correlation =
+      one_by_sigma.asDiagonal() * covariance * one_by_sigma.asDiagonal();
+  const Eigen::LLT<Eigen::Matrix<double, size, size>> cholesky(correlation);
+  if (cholesky.info() != Eigen::Success) return std::nullopt;
+  const double root_of_determinant = cholesky.matrixLLT().diagonal().prod();
+  if (!(root_of_determinant * root_of_determinant >= kSingularBelow)) return std::nullopt;
+  const Vector scaled_error = one_by_sigma.cwiseProduct(error);
+  const double squared = cholesky.matrixL().solve(scaled_error).squaredNorm();
+  if (!std::isfinite(squared)) return std::nullopt;
+  return squared;
+}
+
+}  // namespace
+
+std::optional<double> normalised_error_squared(const Eigen::Vector3d& error,
+                                               const Eigen::Matrix3d& covariance) {
+  return squared_distance<3>(error, covariance);
+}
+
+std::optional<double> normalised_error_squared(const Eigen::Vector2d& error,
+                                               const Eigen::Matrix2d& covariance) {
+  return squared_distance<2>(error, covariance);
+}
+
+double chi_square_quantile(double probability, double degrees_of_freedom) {
+  NADIR_REQUIRE(probability > 0.0 && probability < 1.0 && degrees_of_freedom > 0.0);
+  return boost::math::quantile(boost::math::chi_squared(degrees_of_freedom), probability);
+}
+
+Consistency assess_consistency(std::span<const EvaluatedStep> steps) {
+  const double ellipse_limit = chi_square_quantile(0.95, 2.0);
+  Consistency result;
+  double nees_sum = 0.0;
+  std::size_t inside = 0;
+  for (const EvaluatedStep& step : steps) {
+    if (!step.truth_in_enu) continue;
+    const Rigid2& truth = *step.truth_in_enu;
+    const Eigen::Vector3d error(step.estimate_in_enu.x_m - truth.x_m,
+                                step.estimate_in_enu.y_m - truth.y_m,
+                                wrap_rad(step.estimate_in_enu.yaw_rad - truth.yaw_rad));
+    if (const auto nees = normalised_error_squared(error, step.covariance)) {
+      nees_sum += *nees;
+      ++result.nees_steps;
+    } else {
+      ++result.excluded_steps;
+    }
+    const Eigen::Vector2d position_error = error.head<2>();
+    const Eigen::Matrix2d position_covariance = step.covariance.topLeftCorner<2, 2>();
+    if (const auto squared = normalised_error_squared(position_error, position_covariance)) {
+      inside += *squared <= ellipse_limit ? 1U : 0U;
+      ++result.ellipse_steps;
+    }
+  }
+  if (result.nees_steps > 0) {
+    const auto count = static_cast<double>(result.nees_steps);
+    result.nees_mean = nees_sum / count;
+    result.nees_lower_95 = chi_square_quantile(0.025, 3.0 * count) / count;
+    result.nees_upper_95 = chi_square_quantile(0.975, 3.0 * count) / count;
+  }
+  if (result.ellipse_steps > 0) {
+    result.coverage_95 = static_cast<double>(inside) / static_cast<double>(result.ellipse_steps);
+  }
+  return result;
+}
+
+}  // namespace nadir

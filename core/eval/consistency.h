@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "core/eval/evaluated_step.h"
+
+namespace nadir {
+
+/// Does the filter know how wrong it is? Over the steps whose truth is known.
+struct Consistency {
+  std::size_t nees_steps = 0;      ///< Steps that entered the mean.
+  std::size_t excluded_steps = 0;  ///< Covariance singular or not finite, so no NEES.
+  std::optional<double>
+      nees_mean;  ///< 3 for a consistent filter (3 degrees of freedom), more if over-confident.
+  std::optional<double> nees_lower_95,
+      nees_upper_95;              ///< Where the mean of that many *independent* steps would lie
+                                  ///< 95 times in 100. Steps of a flight are correlated in time, so
+                                  ///< a mean just outside says little.
+  std::size_t ellipse_steps = 0;  ///< Steps that entered the coverage.
+  std::optional<double> coverage_95;  ///< Share of them whose true position is inside the 95 %
+                                      ///< ellipse: 0.95 if consistent.
+};
+
+/// Squared Mahalanobis distance e' P^-1 e: chi-square distributed with as many degrees of freedom
+/// as e has elements. The three-element form is the normalised estimation error squared (NEES) of a
+/// pose.
+/// @param error       Estimate minus truth; yaw wrapped by the caller.
+/// @param covariance  Symmetric; only the lower triangle is read.
+/// @returns nothing where the covariance is not finite, not positive definite, or singular: the
+/// determinant of its
+///          correlation matrix is below 1e-12, a test that does not depend on units.
+[[nodiscard]] std::optional<double> normalised_error_squared(const Eigen::Vector3d& error,
+                                                             const Eigen::Matrix3d& covariance);
+[[nodiscard]] std::optional<double> normalised_error_squared(const Eigen::Vector2d& error,
+                                                             const Eigen::Matrix2d& covariance);
+
+/// Value below which a chi-square variable of so many degrees of freedom lies with the given
+/// probability.
+/// @param probability  In (0, 1).   @param degrees_of_freedom  Above 0.
+[[nodiscard]] double chi_square_quantile(double probability, double degrees_of_freedom);
+
+/// NEES with bounds and the coverage of the 95 % position ellipse: the share with d^2 <=
+/// chi2_2(0.95) = 5.991, where d is the Mahalanobis distance. See Bar-Shalom, Li & Kirubarajan
+/// 2001, section 5.4.
+[[nodiscard]] Consistency assess_consistency(std::span<const EvaluatedStep> steps);
+
+}  // namespace nadir

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/eval/convergence.h"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <vector>
+
+namespace nadir {
+namespace {
+
+struct Moment {
+  double time_s = 0.0;
+  double travelled_m = 0.0;
+  double error_m = 0.0;
+  bool is_good = false;       ///< Error and spread are below the rule's limits.
+  bool is_converged = false;  ///< ... and stay so for the rule's distance.
+};
+
+std::vector<Moment> moments_with_truth(std::span<const EvaluatedStep> steps,
+                                       const ConvergenceRule& rule) {
+  std::vector<Moment> moments;
+  Eigen::Vector2d last_truth_in_enu = Eigen::Vector2d::Zero();
+  for (const EvaluatedStep& step : steps) {
+    if (!step.truth_in_enu) continue;
+    const Eigen::Vector2d truth_in_enu = step.truth_in_enu->translation_m();
+    Moment moment{.time_s = step.time_s};
+    if (!moments.empty()) {
+      moment.travelled_m = moments.back().travelled_m + (truth_in_enu - last_truth_in_enu).norm();
+    }
+    last_truth_in_enu = truth_in_enu;
+    moment.error_m = (step.estimate_in_enu.translation_m() - truth_in_enu).norm();
+    const double spread_m2 = std::sqrt(step.covariance.topLeftCorner<2, 2>().determinant());
+    moment.is_good = moment.error_m < rule.error_below_m && spread_m2 < rule.spread_below_m2;
+    moments.push_back(moment);
+  }
+  return moments;
+}
+
+void mark_converged(std::vector<Moment>& moments, double held_for_m) {
+  double good_until_m = 0.0;
+  bool was_good = false;
+  for (auto moment = moments.rbegin(); moment != moments.rend(); ++moment) {
+    if (moment->is_good && !was_good) good_until_m = moment->travelled_m;
+    was_good = moment->is_good;
+    moment->is_converged = was_good && good_until_m - moment->travelled_m >= held_for_m;
+  }
+}
+
+}  // namespace
+
+Convergence find_convergence(std::span<const EvaluatedStep> steps, const ConvergenceRule& rule) {
+  Convergence result;
+  std::vector<Moment> moments = moments_with_truth(steps, rule);
+  mark_converged(moments, rule.held_for_m);
+  bool is_tracking = false;
+  double lost_since_m = 0.0;
+  for (const Moment& moment : moments) {
+    if (!is_tracking && moment.is_converged) {
+      is_tracking = true;
+      if (result.after_s) {
+        result.lost_m += moment.travelled_m - lost_since_m;
+      } else {
+        result.after_s = moment.time_s - steps.front().time_s;
+        result.after_m = moment.travelled_m;
+      }
+    } else if (is_tracking && moment.error_m >= rule.lost_from_m) {
+      is_tracking = false;
+      ++result.lost_stretches;
+      lost_since_m = moment.travelled_m;
+    }
+  }
+  if (result.after_s && !is_tracking) result.lost_m += moments.back().travelled_m - lost_since_m;
+  return result;
+}
+
+}  // namespace nadir

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/eval/run_evaluation.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace nadir {
+namespace {
+
+constexpr std::array<std::string_view, 3> kAlignmentNames = {"none", "se2", "sim2"};
+
+bool is_matched(const EvaluatedStep& step) {
+  return step.truth_in_enu && is_finite(*step.truth_in_enu) && is_finite(step.estimate_in_enu) &&
+         is_finite(step.odometry_in_enu);
+}
+
+Result<Similarity2> find_alignment(std::span<const EvaluatedStep> steps,
+                                   const Rigid2 EvaluatedStep::*pose,
+                                   Alignment alignment) {
+  if (alignment == Alignment::kNone) return Similarity2{};
+  std::vector<Eigen::Vector2d> points_from, points_to;
+  for (const EvaluatedStep& step : steps) {
+    points_from.push_back((step.*pose).translation_m());
+    points_to.push_back(step.truth_in_enu->translation_m());
+  }
+  if (alignment == Alignment::kSim2) return align_similarity2(points_from, points_to);
+  const auto rigid = align_rigid2(points_from, points_to);
+  if (!rigid) return forward_error(rigid);
+  return Similarity2{.scale = 1.0, .rigid = *rigid};
+}
+
+Eigen::Matrix3d aligned_covariance(const Similarity2& alignment,
+                                   const Eigen::Matrix3d& covariance) {
+  const double c = alignment.scale * std::cos(alignment.rigid.yaw_rad);
+  const double s = alignment.scale * std::sin(alignment.rigid.yaw_rad);
+  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();
+  jacobian.topLeftCorner<2, 2>() << c, -s, s, c;
+  return jacobian * covariance * jacobian.transpose();
+}
+
+std::vector<PosePair> pose_pairs(std::span<const EvaluatedStep> steps,
+                                 const Rigid2 EvaluatedStep::*pose) {
+  std::vector<PosePair> pairs;
+  pairs.reserve(steps.size());
+  for (const EvaluatedStep& step : steps) {
+    pairs.push_back({step.time_s, step.*pose, *step.truth_in_enu});
+  }
+  return pairs;
+}
+
+void describe_time(RunEvaluation& evaluation, std::span<const EvaluatedStep> steps) {
+  if (steps.empty()) return;
+  evaluation.duration_s = steps.back().time_s - steps.front().time_s;
+  if (evaluation.duration_s > 0.0) {
+    evaluation.update_rate_hz = static_cast<double>(steps.size() - 1) / evaluation.duration_s;
+  }
+  double sum_ms = 0.0;
+  for (const EvaluatedStep& step : steps) sum_ms += step.update_ms;
+  evaluation.computing_ms_mean = sum_ms / static_cast<double>(steps.size());
+}
+
+}  // namespace
+
+std::string_view alignment_name(Alignment alignment) {
+  return kAlignmentNames.at(static_cast<std::size_t>(alignment));
+}
+
+std::optional<Alignment> alignment_from_name(std::string_view name) {
+  for (std::size_t i = 0; i < kAlignmentNames.size(); ++i) {
+    if (kAlignmentNames.at(i) == name) return static_cast<Alignment>(i);
+  }
+  return std::nullopt;
+}
+
+Result<RunEvaluation> evaluate_steps(std::span<const EvaluatedStep> steps, Alignment alignment) {
+  RunEvaluation evaluation;
+  evaluation.steps = steps.size();
+  evaluation.alignment = alignment;
+  describe_time(evaluation, steps);
+  std::vector<EvaluatedStep> matched;
+  for (const EvaluatedStep& step : steps) {
+    if (is_matched(step)) matched.push_back(step);
+  }
+  evaluation.matched_pairs = matched.size();
+  evaluation.dropped_steps = steps.size() - matched.size();
+  if (matched.empty() && alignment == Alignment::kNone) return evaluation;
+
+  const auto enu_from_estimate =
+      find_alignment(matched, &EvaluatedStep::estimate_in_enu, alignment);
+  if (!enu_from_estimate) return forward_error(enu_from_estimate, "estimate cannot be aligned");
+  const auto enu_from_odometry =
+      find_alignment(matched, &EvaluatedStep::odometry_in_enu, alignment);
+  if (!enu_from_odometry) return forward_error(enu_from_odometry, "odometry cannot be aligned");
+  evaluation.estimate_alignment = *enu_from_estimate;
+  evaluation.odometry_alignment = *enu_from_odometry;
+  if (alignment != Alignment::kNone) {
+    for (EvaluatedStep& step : matched) {
+      step.estimate_in_enu = *enu_from_estimate * step.estimate_in_enu;
+      step.odometry_in_enu = *enu_from_odometry * step.odometry_in_enu;
+      step.covariance = aligned_covariance(*enu_from_estimate, step.covariance);
+    }
+  }
+  const std::vector<PosePair> estimate_pairs = pose_pairs(matched, &EvaluatedStep::estimate_in_enu);
+  evaluation.estimate = summarise_pose_errors(estimate_pairs);
+  evaluation.odometry = summarise_pose_errors(pose_pairs(matched, &EvaluatedStep::odometry_in_enu));
+  evaluation.distance_m = travelled_m(estimate_pairs).back();
+  evaluation.consistency = assess_consistency(matched);
+  evaluation.convergence = find_convergence(matched);
+  if (evaluation.convergence.after_s) {  // The clock starts with the run, not with the first truth.
+    *evaluation.convergence.after_s += matched.front().time_s - steps.front().time_s;
+  }
+  return evaluation;
+}
+
+}  // namespace nadir

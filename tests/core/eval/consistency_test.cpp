@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/eval/consistency.h"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/base/random.h"
+
+namespace nadir {
+namespace {
+
+Eigen::Matrix3d tilted_covariance() {
+  Eigen::Matrix3d covariance;
+  covariance << 4.0, 1.5, 0.02, 1.5, 1.0, -0.01, 0.02, -0.01, 0.0025;
+  return covariance;
+}
+
+/// Errors drawn from `drawn` while the filter claims `claimed`.
+std::vector<EvaluatedStep> gaussian_steps(int count,
+                                          const Eigen::Matrix3d& drawn,
+                                          const Eigen::Matrix3d& claimed) {
+  const Eigen::Matrix3d factor = drawn.llt().matrixL();
+  std::vector<EvaluatedStep> steps;
+  for (int i = 0; i < count; ++i) {
+    const auto number = static_cast<std::uint32_t>(i);
+    const auto [a, b] = standard_normals({.seed = 5, .stream = 1, .step = number, .draw = 0});
+    const auto [c, unused] = standard_normals({.seed = 5, .stream = 1, .step = number, .draw = 1});
+    static_cast<void>(unused);
+    const Eigen::Vector3d error = factor * Eigen::Vector3d(a, b, c);
+    const Rigid2 truth{100.0 + i, -50.0, wrap_rad(0.37 * i)};
+    steps.push_back({.time_s = 0.1 * i,
+                     .truth_in_enu = truth,
+                     .estimate_in_enu = {truth.x_m + error.x(), truth.y_m + error.y(),
+                                         wrap_rad(truth.yaw_rad + error.z())},
+                     .covariance = claimed,
+                     .odometry_in_enu = truth});
+  }
+  return steps;
+}
+
+TEST(ChiSquareQuantile, AgreesWithPrintedTables) {
+  EXPECT_NEAR(chi_square_quantile(0.95, 1), 3.8414588, 1e-6);
+  EXPECT_NEAR(chi_square_quantile(0.95, 2), 5.9914645, 1e-6);
+  EXPECT_NEAR(chi_square_quantile(0.95, 3), 7.8147279, 1e-6);
+  EXPECT_NEAR(chi_square_quantile(0.025, 10), 3.2469728, 1e-6);
+  EXPECT_NEAR(chi_square_quantile(0.975, 100), 129.5611972, 1e-5);
+}
+
+TEST(ChiSquareQuantile, IsExactForTwoDegreesOfFreedomAndNormalForMany) {
+  for (const double p : {0.01, 0.5, 0.9, 0.999}) {
+    EXPECT_NEAR(chi_square_quantile(p, 2), -2.0 * std::log1p(-p), 1e-9);
+  }
+  const double n = 3.0 * 4541;  // Wilson & Hilferty 1931, good to 1e-6 here.
+  const double root = 1.0 - 2.0 / (9.0 * n) + 1.959963985 * std::sqrt(2.0 / (9.0 * n));
+  EXPECT_NEAR(chi_square_quantile(0.975, n) / (n * root * root * root), 1.0, 1e-6);
+  EXPECT_THROW(static_cast<void>(chi_square_quantile(1.0, 2)), std::logic_error);
+  EXPECT_THROW(static_cast<void>(chi_square_quantile(0.5, 0)), std::logic_error);
+}
+
+TEST(NormalisedError, IsTheMahalanobisDistanceSquared) {
+  const Eigen::Matrix3d covariance = tilted_covariance();
+  const Eigen::Vector3d error(1.0, -2.0, 0.03);
+  const auto squared = normalised_error_squared(error, covariance);
+  ASSERT_TRUE(squared);
+  EXPECT_NEAR(*squared, error.dot(covariance.inverse() * error), 1e-9);
+  EXPECT_NEAR(*normalised_error_squared(Eigen::Vector2d(3, 4),
+                                        Eigen::Matrix2d(Eigen::Matrix2d::Identity())),
+              25.0, 1e-12);
+}
+
+TEST(NormalisedError, IsUnknownForACovarianceThatIsNone) {
+  const Eigen::Vector3d error(1, 1, 1);
+  Eigen::Matrix3d bad = Eigen::Matrix3d::Zero();
+  EXPECT_FALSE(normalised_error_squared(error, bad));
+  bad = Eigen::Matrix3d::Ones();  // Rank one.
+  EXPECT_FALSE(normalised_error_squared(error, bad));
+  bad = Eigen::Vector3d(1, 1, -1).asDiagonal();
+  EXPECT_FALSE(normalised_error_squared(error, bad));
+  bad = Eigen::Vector3d(1, 1, std::nan("")).asDiagonal();
+  EXPECT_FALSE(normalised_error_squared(error, bad));
+  bad = Eigen::Vector3d(1, 1, std::numeric_limits<double>::infinity()).asDiagonal();
+  EXPECT_FALSE(normalised_error_squared(error, bad));
+}
+
+TEST(NormalisedError, SmallButSoundCovariancesAreNotSingular) {
+  const Eigen::Matrix3d tiny = Eigen::Vector3d(1e-8, 1e-8, 1e-14).asDiagonal();
+  EXPECT_NEAR(*normalised_error_squared(Eigen::Vector3d(1e-4, 0, 1e-7), tiny), 2.0, 1e-9);
+}
+
+TEST(Consistency, OfAPerfectFilterIsThreeWithNinetyFivePercentCoverage) {
+  const int count = 4000;
+  const auto result =
+      assess_consistency(gaussian_steps(count, tilted_covariance(), tilted_covariance()));
+  EXPECT_EQ(result.nees_steps, 4000U);
+  EXPECT_EQ(result.excluded_steps, 0U);
+  EXPECT_GT(*result.nees_mean, *result.nees_lower_95);
+  EXPECT_LT(*result.nees_mean, *result.nees_upper_95);
+  EXPECT_NEAR(*result.nees_lower_95, 3.0 - 1.96 * std::sqrt(6.0 / count), 1e-3);
+  EXPECT_NEAR(*result.nees_upper_95, 3.0 + 1.96 * std::sqrt(6.0 / count), 1e-3);
+  const double sigma = std::sqrt(0.95 * 0.05 / count);  // Binomial.
+  EXPECT_NEAR(*result.coverage_95, 0.95, 3.0 * sigma);
+}
+
+TEST(Consistency, CoverageComparesSquaredDistances) {
+  // Comparing d instead of d^2 with 5.991 would count practically everything as covered.
+  const Eigen::Matrix3d unit = Eigen::Matrix3d::Identity() * 0.01;
+  std::vector<EvaluatedStep> steps(2);
+  for (auto& step : steps) {
+    step.truth_in_enu = Rigid2{};
+    step.covariance = unit;
+  }
+  steps[0].estimate_in_enu.x_m = 0.244;  // d^2 = 5.954
+  steps[1].estimate_in_enu.x_m = 0.246;  // d^2 = 6.052
+  EXPECT_EQ(*assess_consistency(steps).coverage_95, 0.5);
+}
+
+TEST(Consistency, OfAnOverconfidentFilterIsOutOfBounds) {
+  const auto result =
+      assess_consistency(gaussian_steps(1000, tilted_covariance(), tilted_covariance() / 4.0));
+  EXPECT_NEAR(*result.nees_mean, 12.0, 1.0);
+  EXPECT_GT(*result.nees_mean, *result.nees_upper_95);
+  // Inside means d^2 <= 5.991 / 4 of the true covariance: 1 - exp(-5.991 / 8) = 0.527.
+  EXPECT_NEAR(*result.coverage_95, 0.527, 0.05);
+}
+
+TEST(Consistency, WrapsTheYawError) {
+  EvaluatedStep step{.truth_in_enu = Rigid2{0, 0, -3.13}, .estimate_in_enu = {0, 0, 3.13}};
+  step.covariance = Eigen::Matrix3d::Identity();
+  const auto result = assess_consistency(std::vector{step});
+  EXPECT_NEAR(*result.nees_mean, std::pow(2.0 * 3.14159265358979 - 6.26, 2), 1e-9);
+}
+
+TEST(Consistency, CountsWhatItLeavesOutAndSkipsStepsWithoutTruth) {
+  auto steps = gaussian_steps(4, tilted_covariance(), tilted_covariance());
+  steps[1].truth_in_enu.reset();
+  steps[2].covariance(2, 2) = 0.0;  // No yaw spread: no NEES, but the ellipse is sound.
+  steps[3].covariance.setZero();
+  const auto result = assess_consistency(steps);
+  EXPECT_EQ(result.nees_steps, 1U);
+  EXPECT_EQ(result.excluded_steps, 2U);
+  EXPECT_EQ(result.ellipse_steps, 2U);
+  const auto nothing = assess_consistency({});
+  EXPECT_FALSE(nothing.nees_mean || nothing.nees_lower_95 || nothing.coverage_95);
+}
+
+}  // namespace
+}  // namespace nadir
