@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/run/run_blobs.h"
+
+#include <zstd.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include "core/base/require.h"
+
+namespace nadir::detail {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "run files hold little-endian arrays");
+
+constexpr int kCompressionLevel = 1;
+constexpr std::int64_t kMostElements = 10'000'000;
+constexpr std::size_t kParticleBytes = 4 * sizeof(float);
+constexpr std::size_t kCellBytes = 2 * sizeof(std::int16_t) + 1;
+
+/// With a checksum, so that flipped bits are found.
+Result<Bytes> compress(const Bytes& raw) {
+  struct Freed {
+    void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
+  };
+  const std::unique_ptr<ZSTD_CCtx, Freed> context(ZSTD_createCCtx());
+  NADIR_REQUIRE(context != nullptr);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kCompressionLevel);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
+  Bytes packed(ZSTD_compressBound(raw.size()));
+  const std::size_t size =
+      ZSTD_compress2(context.get(), packed.data(), packed.size(), raw.data(), raw.size());
+  if (ZSTD_isError(size) != 0U) {
+    return fail(ErrorCode::kIo, "cannot be compressed ({})", ZSTD_getErrorName(size));
+  }
+  packed.resize(size);
+  return packed;
+}
+
+/// Checks the promised size before it allocates.
+Result<Bytes> decompress(std::span<const std::uint8_t> packed,
+                         std::int64_t count,
+                         std::size_t element_bytes) {
+  if (count < 0 || count > kMostElements) {
+    return fail(ErrorCode::kMalformed, "its count {} is not in [0, {}]", count, kMostElements);
+  }
+  const std::size_t expected = static_cast<std::size_t>(count) * element_bytes;
+  if (ZSTD_getFrameContentSize(packed.data(), packed.size()) != expected) {
+    return fail(ErrorCode::kMalformed, "its data do not hold {} elements", count);
+  }
+  Bytes raw(expected);
+  const std::size_t size = ZSTD_decompress(raw.data(), raw.size(), packed.data(), packed.size());
+  if (ZSTD_isError(size) != 0U || size != expected) {
+    return fail(ErrorCode::kMalformed, "its data cannot be unpacked");
+  }
+  return raw;
+}
+
+template <typename Element>
+void put(Bytes& bytes, std::size_t index, Element value) {
+  std::memcpy(bytes.data() + index * sizeof(Element), &value, sizeof(Element));
+}
+
+template <typename Element>
+Element get(const std::uint8_t* bytes, std::size_t index) {
+  Element value;
+  std::memcpy(&value, bytes + index * sizeof(Element), sizeof(Element));
+  return value;
+}
+
+}  // namespace
+
+Result<Bytes> encode_particles(const ParticleSet& particles, const Rigid2& estimate_in_enu) {
+  const std::size_t n = particles.size();
+  NADIR_REQUIRE(particles.x_in_enu_m.size() == n && particles.y_in_enu_m.size() == n &&
+                particles.yaw_rad.size() == n);
+  Bytes raw(n * kParticleBytes);
+  for (std::size_t i = 0; i < n; ++i) {
+    put(raw, i, static_cast<float>(particles.x_in_enu_m[i] - estimate_in_enu.x_m));
+    put(raw, n + i, static_cast<float>(particles.y_in_enu_m[i] - estimate_in_enu.y_m));
+    put(raw, 2 * n + i, static_cast<float>(particles.yaw_rad[i]));
+    put(raw, 3 * n + i, static_cast<float>(particles.weight[i]));
+  }
+  return compress(raw);
+}
+
+Result<ParticleSet> decode_particles(std::span<const std::uint8_t> blob,
+                                     std::int64_t count,
+                                     const Rigid2& estimate_in_enu) {
+  const auto raw = decompress(blob, count, kParticleBytes);
+  if (!raw) return forward_error(raw);
+  const auto n = static_cast<std::size_t>(count);
+  ParticleSet particles;
+  for (auto* values :
+       {&particles.x_in_enu_m, &particles.y_in_enu_m, &particles.yaw_rad, &particles.weight}) {
+    values->resize(n);
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto x_m = get<float>(raw->data(), i);
+    const auto y_m = get<float>(raw->data(), n + i);
+    const auto yaw_rad = get<float>(raw->data(), 2 * n + i);
+    const auto weight = get<float>(raw->data(), 3 * n + i);
+    if (!std::isfinite(x_m) || !std::isfinite(y_m) || !std::isfinite(yaw_rad) ||
+        !std::isfinite(weight) || weight < 0.0F) {
+      return fail(ErrorCode::kMalformed, "particle {} is no pose with a weight", i);
+    }
+    particles.x_in_enu_m[i] = estimate_in_enu.x_m + static_cast<double>(x_m);
+    particles.y_in_enu_m[i] = estimate_in_enu.y_m + static_cast<double>(y_m);
+    particles.yaw_rad[i] = wrap_rad(static_cast<double>(yaw_rad));  // float's pi is above pi.
+    particles.weight[i] = static_cast<double>(weight);
+    sum += particles.weight[i];
+  }
+  if (n > 0 && !(sum > 0.0)) return fail(ErrorCode::kMalformed, "its weights sum to nothing");
+  for (double& weight : particles.weight) weight /= sum;
+  return particles;
+}
+
+Result<Bytes> encode_topview(const SemanticTopview& topview) {
+  const std::size_t n = topview.cells.size();
+  NADIR_REQUIRE(topview.class_begin.front() == 0 && topview.class_begin.back() == n);
+  Bytes raw(n * kCellBytes);
+  for (std::size_t i = 0; i < n; ++i) {
+    put(raw, i, topview.cells[i].forward);
+    put(raw, n + i, topview.cells[i].left);
+  }
+  for (std::size_t id = 0; id < kClassCount; ++id) {
+    for (std::size_t i = topview.class_begin.at(id); i < topview.class_begin.at(id + 1); ++i) {
+      raw[4 * n + i] = static_cast<std::uint8_t>(id);
+    }
+  }
+  return compress(raw);
+}
+
+Result<SemanticTopview> decode_topview(std::span<const std::uint8_t> blob,
+                                       std::int64_t count,
+                                       double metres_per_cell) {
+  if (!(metres_per_cell > 0.0) || !std::isfinite(metres_per_cell)) {
+    return fail(ErrorCode::kMalformed, "its cells are {} m wide", metres_per_cell);
+  }
+  const auto raw = decompress(blob, count, kCellBytes);
+  if (!raw) return forward_error(raw);
+  const auto n = static_cast<std::size_t>(count);
+  SemanticTopview topview;
+  topview.metres_per_cell = metres_per_cell;
+  topview.cells.resize(n);
+  std::size_t last_class = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    topview.cells[i] = {get<std::int16_t>(raw->data(), i), get<std::int16_t>(raw->data(), n + i)};
+    const std::size_t id = (*raw)[4 * n + i];
+    if (id >= kClassCount || id < last_class) {
+      return fail(ErrorCode::kMalformed, "its classes are not grouped");
+    }
+    ++topview.class_begin.at(id + 1);
+    last_class = id;
+  }
+  for (std::size_t id = 0; id < kClassCount; ++id) {
+    topview.class_begin.at(id + 1) += topview.class_begin.at(id);
+  }
+  return topview;
+}
+
+}  // namespace nadir::detail

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/mcl/particle_set.h"
+#include "core/mcl/pose_estimate.h"
+#include "core/topview/semantic_topview.h"
+
+namespace nadir {
+
+/// What was run, on what, with which settings: enough to run it again. Stored as rows of table
+/// `about`.
+struct RunHeader {
+  std::string program_version;
+  std::string flight, map, preset;  ///< Names for people.
+  std::string flight_path, map_path;
+  std::string flight_hash, map_hash;  ///< Of the inputs, hexadecimal.
+  std::uint64_t seed = 0;
+  double plane_latitude_deg = 0.0,
+         plane_longitude_deg = 0.0;            ///< Origin of the project plane of all poses.
+  std::map<std::string, std::string> options;  ///< Every option of the localiser by name, as text.
+};
+
+/// One update of the localiser, as recorded.
+struct RunStep {
+  int step = 0;
+  double time_s = 0.0;
+  Rigid2 odom_from_body;  ///< Odometry input.
+  Rigid2
+      odometry_in_enu;  ///< The same, laid at the start: what dead reckoning alone would have said.
+  std::optional<Rigid2> truth_in_enu;  ///< Where the flight knows it.
+  PoseEstimate estimate;
+  double effective_sample_size = 0.0;
+  int particle_count = 0;
+  bool was_resampled = false;
+  std::optional<double>
+      agreement;  ///< Share of known topview cells whose class is the map's at the estimate.
+  int topview_cells = 0;
+  double update_ms = 0.0;                ///< Whole update: load not included, topview included.
+  std::optional<ParticleSet> particles;  ///< Absent where not recorded.
+  std::optional<SemanticTopview> topview;
+};
+
+/// Writes a run as it happens: each step is one transaction of SQLite in WAL-free journal mode, so
+/// that a run that is killed is readable up to its last step. The format and its tables are
+/// described in core/run/README.md.
+class RunWriter {
+ public:
+  /// @errors kIo: not writable. An existing *run file* is replaced, anything else is refused.
+  [[nodiscard]] static Result<RunWriter> create(const std::filesystem::path& path,
+                                                const RunHeader& header);
+  RunWriter(RunWriter&&) noexcept;
+  ~RunWriter();
+  [[nodiscard]] Result<void> write(const RunStep& step);
+  /// Marks the run as complete. A run without this mark was killed or stopped.
+  [[nodiscard]] Result<void> finish();
+
+ private:
+  struct Implementation;
+  explicit RunWriter(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// Reads a run file, also one that is still being written or was killed.
+class RunReader {
+ public:
+  /// @errors kNotFound, kMalformed (not a run file, truncated), kUnsupported ("was written by a
+  /// newer version").
+  [[nodiscard]] static Result<RunReader> open(const std::filesystem::path& path);
+  RunReader(RunReader&&) noexcept;
+  ~RunReader();
+  [[nodiscard]] const RunHeader& header() const;
+  [[nodiscard]] bool is_complete() const;
+  [[nodiscard]] int step_count() const;
+  /// All steps without particles and topviews, in order of time.
+  [[nodiscard]] Result<std::vector<RunStep>> steps() const;
+  /// One step with its particles and topview where recorded.
+  [[nodiscard]] Result<RunStep> step(int step) const;
+
+ private:
+  struct Implementation;
+  explicit RunReader(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace nadir

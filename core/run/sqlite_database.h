@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace nadir::detail {
+
+class SqliteDatabase;
+
+/// A prepared statement; must not outlive its database. Values are bound from 1, columns counted
+/// from 0, as in SQLite.
+class SqliteStatement {
+ public:
+  SqliteStatement(SqliteStatement&& other) noexcept;
+  SqliteStatement& operator=(SqliteStatement&&) = delete;
+  ~SqliteStatement();
+
+  /// Binds the next value, left to right; NaN and nothing become NULL. A failure is told by next().
+  /// Text and blobs must live until next() returned.
+  SqliteStatement& add(double value);
+  SqliteStatement& add(std::int64_t value);
+  SqliteStatement& add(std::optional<double> value);
+  SqliteStatement& add(std::string_view value);
+  SqliteStatement& add(std::span<const std::uint8_t> value);
+
+  /// Runs to the next row. @returns whether there is one; after the last the statement can be bound
+  /// and run again.
+  [[nodiscard]] Result<bool> next();
+
+  [[nodiscard]] bool is_null(int column) const;
+  [[nodiscard]] double number(int column) const;  ///< NULL gives NaN.
+  [[nodiscard]] std::int64_t whole(int column) const;
+  [[nodiscard]] std::string text(int column) const;
+  [[nodiscard]] std::span<const std::uint8_t> blob(
+      int column) const;  ///< Until the next call of next().
+
+ private:
+  friend class SqliteDatabase;
+  SqliteStatement(const SqliteDatabase* database, sqlite3_stmt* statement)
+      : database_(database), statement_(statement) {}
+  void note(int code);
+
+  const SqliteDatabase* database_;
+  sqlite3_stmt* statement_;
+  int bound_ = 0;
+  int bind_failure_ = 0;
+};
+
+enum class SqliteAccess { kRead, kReadAndRecover, kCreate };
+
+/// An open database whose errors are sentences that begin with the name of the file.
+class SqliteDatabase {
+ public:
+  /// @param name  Stands for the file in messages.
+  [[nodiscard]] static Result<SqliteDatabase> open(const std::filesystem::path& path,
+                                                   const std::string& name,
+                                                   SqliteAccess access);
+  SqliteDatabase(SqliteDatabase&& other) noexcept;
+  SqliteDatabase& operator=(SqliteDatabase&& other) noexcept;
+  ~SqliteDatabase();
+
+  [[nodiscard]] Result<void> execute(const std::string& sql) const;
+  [[nodiscard]] Result<SqliteStatement> prepare(std::string_view sql) const;
+  /// The first column of the first row as a whole number.
+  [[nodiscard]] Result<std::int64_t> whole(std::string_view sql) const;
+
+  /// The last failure is a journal left by a killed writer that this read-only connection may not
+  /// roll back.
+  [[nodiscard]] bool needs_recovery() const;
+  [[nodiscard]] tl::unexpected<Error> failure() const;
+
+ private:
+  SqliteDatabase(sqlite3* database, std::string name)
+      : database_(database), name_(std::move(name)) {}
+  sqlite3* database_;
+  std::string name_;
+};
+
+/// A transaction that is rolled back unless committed.
+class SqliteTransaction {
+ public:
+  /// @param begin  "BEGIN" to read, "BEGIN IMMEDIATE" to write.
+  [[nodiscard]] static Result<SqliteTransaction> begin(const SqliteDatabase& database,
+                                                       const std::string& begin);
+  SqliteTransaction(SqliteTransaction&& other) noexcept;
+  SqliteTransaction& operator=(SqliteTransaction&&) = delete;
+  ~SqliteTransaction();
+  [[nodiscard]] Result<void> commit();
+
+ private:
+  explicit SqliteTransaction(const SqliteDatabase* database) : database_(database) {}
+  const SqliteDatabase* database_;
+};
+
+}  // namespace nadir::detail
