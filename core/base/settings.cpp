@@ -105,7 +105,7 @@ std::vector<std::string> Settings::keys() const {
 }
 
 Result<double> Settings::number(std::string_view key) const {
-  const auto value = value_at<double>(node_->table, key, name_, "a number");
+  auto value = value_at<double>(node_->table, key, name_, "a number");
   if (value && !std::isfinite(*value)) {
     return fail(ErrorCode::kMalformed, "{}: {} is {}, not a finite number", name_, key, *value);
   }
@@ -125,7 +125,7 @@ Result<std::string> Settings::text(std::string_view key) const {
 }
 
 Result<std::vector<double>> Settings::numbers(std::string_view key) const {
-  const auto values = values_at<double>(node_->table, key, name_, "numbers");
+  auto values = values_at<double>(node_->table, key, name_, "numbers");
   if (values &&
       !std::all_of(values->begin(), values->end(), [](double v) { return std::isfinite(v); })) {
     return fail(ErrorCode::kMalformed, "{}: {} holds a number that is not finite", name_, key);

@@ -9,7 +9,7 @@
 namespace nadir {
 namespace {
 
-const Eigen::Vector2d kFirstPixelCentre(0.5, 0.5);
+const Eigen::Vector2d first_pixel_centre(0.5, 0.5);
 
 }  // namespace
 
@@ -65,7 +65,7 @@ Result<Affine2> parse_world_file(std::string_view text, const std::string& name)
   Affine2 plane_from_pixel;
   plane_from_pixel.linear << values[0], values[2], values[1], values[3];
   plane_from_pixel.offset =
-      Eigen::Vector2d(values[4], values[5]) - plane_from_pixel.linear * kFirstPixelCentre;
+      Eigen::Vector2d(values[4], values[5]) - plane_from_pixel.linear * first_pixel_centre;
   if (const auto inverse = plane_from_pixel.inverse(); !inverse) {
     return forward_error(inverse, name);
   }
@@ -74,7 +74,7 @@ Result<Affine2> parse_world_file(std::string_view text, const std::string& name)
 
 std::string world_file_text(const Affine2& plane_from_pixel) {
   const Eigen::Matrix2d& linear = plane_from_pixel.linear;
-  const Eigen::Vector2d centre = plane_from_pixel * kFirstPixelCentre;
+  const Eigen::Vector2d centre = plane_from_pixel * first_pixel_centre;
   // The shortest text that reads back as the same double.
   return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", linear(0, 0), linear(1, 0), linear(0, 1),
                      linear(1, 1), centre.x(), centre.y());

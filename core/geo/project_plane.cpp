@@ -14,8 +14,8 @@
 namespace nadir {
 namespace {
 
-constexpr double kMaxLatitude_deg = 89.0;
-constexpr double kMaxLongitude_deg = 180.0;
+constexpr double kMaxLatitudeDeg = 89.0;
+constexpr double kMaxLongitudeDeg = 180.0;
 
 const GeographicLib::TransverseMercator& transverse_mercator() {
   static const GeographicLib::TransverseMercator projection(
@@ -79,11 +79,11 @@ std::string degrees_text(double degrees, char positive, char negative) {
 }  // namespace
 
 Result<ProjectPlane> ProjectPlane::create(const Geodetic& origin) {
-  if (!(std::abs(origin.latitude_deg) <= kMaxLatitude_deg)) {
+  if (!(std::abs(origin.latitude_deg) <= kMaxLatitudeDeg)) {
     return fail(ErrorCode::kInvalidOptions, "map origin: latitude {} is not in [-89, 89] degrees",
                 origin.latitude_deg);
   }
-  if (!(std::abs(origin.longitude_deg) <= kMaxLongitude_deg)) {
+  if (!(std::abs(origin.longitude_deg) <= kMaxLongitudeDeg)) {
     return fail(ErrorCode::kInvalidOptions,
                 "map origin: longitude {} is not in [-180, 180] degrees", origin.longitude_deg);
   }

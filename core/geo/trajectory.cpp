@@ -8,7 +8,7 @@ namespace nadir {
 namespace {
 
 /// Recorders round times; a pose asked for that little beyond an end is the pose at that end.
-constexpr double kEndTolerance_s = 1e-3;
+constexpr double kEndToleranceS = 1e-3;
 
 bool is_finite(const Rigid3& pose) {
   return pose.translation_m.allFinite() && pose.rotation.coeffs().allFinite();
@@ -37,7 +37,7 @@ Result<Trajectory> Trajectory::create(std::vector<TimedPose> poses, const std::s
 
 std::optional<Rigid3> Trajectory::at(double time_s, double max_gap_s) const {
   if (poses_.empty() || !std::isfinite(time_s)) return std::nullopt;
-  if (time_s < start_s() - kEndTolerance_s || time_s > end_s() + kEndTolerance_s) {
+  if (time_s < start_s() - kEndToleranceS || time_s > end_s() + kEndToleranceS) {
     return std::nullopt;
   }
   const auto after = std::lower_bound(

@@ -13,7 +13,7 @@
 namespace nadir {
 namespace {
 
-/// Moments of the particles for which `index` is called; weights need not sum to 1.
+/// Moments of the chosen particles; their weights need not sum to 1.
 PoseMoments moments_of(const ParticleSet& particles, const std::vector<std::size_t>& chosen) {
   double total = 0.0;
   double x = 0.0;
@@ -57,6 +57,8 @@ PoseMoments moments_of(const ParticleSet& particles, const std::vector<std::size
     moments.covariance(2, 0) *= scale;
     moments.covariance(2, 1) *= scale;
   }
+  // Products in another order differ in the last digit; one triangle stands for both.
+  moments.covariance = moments.covariance.selfadjointView<Eigen::Lower>();
   return moments;
 }
 

@@ -30,7 +30,7 @@ class ScratchFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
   /// Writes a file with this text and gives its path.
-  [[nodiscard]] std::filesystem::path file(const std::string& name, std::string_view text) const {
+  std::filesystem::path file(const std::string& name, std::string_view text) const {
     std::filesystem::path path = path_ / name;
     std::filesystem::create_directories(path.parent_path());
     std::ofstream(path, std::ios::binary) << text;

@@ -190,11 +190,14 @@ TEST(UtmText, AgreesWithThePublishedExampleOfThePythonPackage) {
   EXPECT_EQ(mgrs_text({51.2, 7.5}), "32U LB 95201 73135");
 }
 
-TEST(MgrsText, AgreesWithPublishedLandmarks) {
-  // Washington Monument, the example of FGDC's standard of the United States National Grid:
-  // 18SUJ23480647.
-  EXPECT_EQ(mgrs_text({38.889484, -77.035279}, 3), "18S UJ 234 064");
-  EXPECT_EQ(mgrs_text({38.889484, -77.035279}, 0), "18S UJ");
+TEST(MgrsText, AgreesWithThePublishedPlaceOfTheWashingtonMonument) {
+  // National Geodetic Survey: N38 53 22.08377 W77 02 06.86378; United States National Grid:
+  // 18SUJ2348306479.
+  const Geodetic monument{38.0 + 53.0 / 60.0 + 22.08377 / 3600.0,
+                          -(77.0 + 2.0 / 60.0 + 6.86378 / 3600.0)};
+  EXPECT_EQ(mgrs_text(monument), "18S UJ 23483 06479");
+  EXPECT_EQ(mgrs_text(monument, 3), "18S UJ 234 064");
+  EXPECT_EQ(mgrs_text(monument, 0), "18S UJ");
 }
 
 TEST(MgrsText, CutsDigitsOffAndDoesNotRound) {

@@ -219,7 +219,7 @@ TEST(ReadTrajectory, EachFaultNamesItsFile) {
               HasSubstr("p.txt: holds 1 poses, but there are 2 times"));
 }
 
-TEST(ReadTrajectory, ReadsAnHourAtAHundredHertzInWellUnderASecond) {
+TEST(ReadTrajectory, ReadsAnHourAtAHundredHertzInSeconds) {
   std::string text;
   for (int i = 0; i < 360'000; ++i) {
     text += fmt::format("{}.{:02} 1.234567890123 -2.345678901234 3.456789012345 0 0 0.6 0.8\n",
@@ -230,7 +230,7 @@ TEST(ReadTrajectory, ReadsAnHourAtAHundredHertzInWellUnderASecond) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   ASSERT_TRUE(trajectory) << error_text(trajectory);
   EXPECT_EQ(trajectory->size(), 360'000U);
-  EXPECT_LT(elapsed.count(), 5.0);  // 0.2 s when alone; sanitizers and busy machines take longer
+  EXPECT_LT(elapsed.count(), 5.0);  // generous: sanitizers and busy machines take longer
 }
 
 }  // namespace
