@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ostream>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace nadir::cli {
+
+inline constexpr int kDone = 0;
+inline constexpr int kFailed = 1;
+inline constexpr int kMisused = 2;
+
+/// One command of the program. Results go to `out`, words to `err`.
+struct Command {
+  std::string_view name;
+  std::string_view summary;
+  int (*run)(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
+};
+
+int run_demo(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
+int run_simulate(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
+int run_localise(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
+int run_evaluate(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
+int run_map(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
+int run_flight(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
+
+}  // namespace nadir::cli

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/command_line.h"
+
+#include <array>
+#include <csignal>
+#include <exception>
+#include <vector>
+
+#include "core/base/settings.h"
+#include "core/base/version.h"
+
+namespace nadir::cli {
+namespace {
+
+constexpr std::array kCommands = {
+    Command{"demo", "Localise a made-up flight on the bundled town and print the errors", run_demo},
+    Command{"simulate", "Make a flight with known truth on a labelled overhead", run_simulate},
+    Command{"localise", "Localise a flight on a labelled overhead", run_localise},
+    Command{"evaluate", "Print the errors of recorded runs", run_evaluate},
+    Command{"map", "Show or import labelled overheads", run_map},
+    Command{"flight", "Show what a recorded flight holds", run_flight},
+};
+
+void print_help(std::ostream& out) {
+  out << "Nadir " << kVersion
+      << ": localises a low-flying robot on a labelled overhead image\n\n"
+         "Usage: nadir COMMAND [ARGUMENTS]\n\nCommands:\n";
+  for (const Command& command : kCommands) {
+    out << "  " << command.name << std::string(12 - command.name.size(), ' ') << command.summary
+        << "\n";
+  }
+  out << "\n'nadir COMMAND --help' explains a command. Start with 'nadir demo --out demo'.\n";
+}
+
+int refuse_unknown(const std::string& word, std::ostream& err) {
+  std::vector<std::string> names;
+  for (const Command& command : kCommands) names.emplace_back(command.name);
+  const std::string nearest = nearest_word(word, names);
+  err << "nadir: '" << word << "' is not a command"
+      << (nearest.empty() ? "" : " (did you mean " + nearest + "?)") << "; see 'nadir --help'\n";
+  return kMisused;
+}
+
+}  // namespace
+
+std::span<const Command> commands() { return kCommands; }
+
+int run_command_line(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away is a failed write, not a death
+  if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h") {
+    print_help(out);
+    return arguments.empty() ? kMisused : kDone;
+  }
+  if (arguments[0] == "--version") {
+    out << "nadir " << kVersion << "\n";
+    return kDone;
+  }
+  for (const Command& command : kCommands) {
+    if (command.name != arguments[0]) continue;
+    try {
+      const int status = command.run(arguments.subspan(1), out, err);
+      out.flush();
+      if (status == kDone && !out) {
+        err << "nadir: the results could not be written to standard output\n";
+        return kFailed;
+      }
+      return status;
+    } catch (const std::exception& error) {
+      err << "nadir " << command.name << ": internal error: " << error.what() << "\n";
+      return kFailed;
+    }
+  }
+  return refuse_unknown(arguments[0], err);
+}
+
+}  // namespace nadir::cli

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "app/cli/arguments.h"
+#include "app/cli/command.h"
+#include "app/cli/localise_flow.h"
+#include "core/base/angle.h"
+#include "core/base/parallel.h"
+#include "core/eval/report.h"
+
+namespace nadir::cli {
+namespace {
+
+struct LocaliseArguments {
+  std::string flight, map, run, preset = "default", recipe, prior, prior_sigma;
+  bool is_global = false, is_json = false, is_quiet = false;
+  bool has_no_particles = false, has_no_topviews = false;
+  int threads = 0;
+  std::size_t most_frames = 0;
+  OptionFlags options;
+};
+
+void add_arguments(CLI::App& app, LocaliseArguments& values) {
+  app.add_option("FLIGHT", values.flight,
+                 "Recorded flight: a folder with flight.toml, a KITTI drive")
+      ->required();
+  app.add_option("--map", values.map, "Labelled overhead: a map package, or a bundled one by name")
+      ->required();
+  app.add_option("--out", values.run,
+                 "Run file to write (NAME.nadir); without it only the table is printed");
+  CLI::Option* preset = app.add_option("--preset", values.preset,
+                                       "default, thesis, thesis-literal-alpha or thesis-hard");
+  app.add_option("--recipe", values.recipe,
+                 "TOML file with a preset and options; flags win over it")
+      ->excludes(preset);
+  CLI::Option* prior =
+      app.add_option("--prior", values.prior,
+                     "Start as E,N,YAW: metres, metres, degrees counter-clockwise from east");
+  app.add_option("--prior-sigma", values.prior_sigma,
+                 "Spread of the start as METRES,DEGREES, default 2.24,28.6")
+      ->needs(prior);
+  app.add_flag("--global", values.is_global, "Nothing is known about the start")->excludes(prior);
+  app.add_option("--frames", values.most_frames, "Stop after so many frames");
+  app.add_flag("--no-particles", values.has_no_particles,
+               "Leave the particles out of the run file");
+  app.add_flag("--no-topviews", values.has_no_topviews, "Leave the topviews out of the run file");
+  app.add_option("--threads", values.threads,
+                 "Threads; 0 is all there are. The result does not depend on it")
+      ->check(CLI::Range(0, 1024));
+  app.add_flag("--json", values.is_json, "Print one JSON object instead of the table");
+  app.add_flag("--quiet", values.is_quiet, "No progress and no words beside the result");
+  add_option_flags(app, option_texts(RunOptions{}), values.options);
+  app.footer(
+      "Without --prior and --global the flight starts at its own truth, with the spread above.");
+}
+
+Result<std::optional<Prior>> prior_of(const LocaliseArguments& values) {
+  if (values.is_global) return std::optional<Prior>(GlobalPrior{});
+  if (values.prior.empty()) return std::optional<Prior>();
+  const auto mean = parse_list("--prior", values.prior, 3);
+  if (!mean) return forward_error(mean);
+  GaussianPrior prior;
+  prior.mean_in_enu = {(*mean)[0], (*mean)[1], wrap_rad(Angle::degrees((*mean)[2]).radians())};
+  if (!values.prior_sigma.empty()) {
+    const auto sigma = parse_list("--prior-sigma", values.prior_sigma, 2);
+    if (!sigma) return forward_error(sigma);
+    prior.position_sigma_m = (*sigma)[0];
+    prior.yaw_sigma_rad = Angle::degrees((*sigma)[1]).radians();
+  }
+  return std::optional<Prior>(prior);
+}
+
+Result<LocaliseTask> task_of(const LocaliseArguments& values) {
+  LocaliseTask task;
+  task.flight = values.flight;
+  task.map = values.map;
+  if (!values.run.empty()) task.run = values.run;
+  task.is_quiet = values.is_quiet;
+  if (values.recipe.empty()) {
+    const auto options = run_preset(values.preset);
+    if (!options) return forward_error(options);
+    task.preset = values.preset;
+    task.request.options = *options;
+  } else {
+    const auto recipe = read_run_recipe(values.recipe);
+    if (!recipe) return forward_error(recipe);
+    task.preset = recipe->preset;
+    task.request.options = recipe->options;
+  }
+  for (const auto& [name, text] : values.options) {
+    if (const auto set = set_option(task.request.options, name, text); !set) {
+      return forward_error(set);
+    }
+  }
+  if (auto valid = validate_run(task.request.options); !valid) return forward_error(valid);
+  auto prior = prior_of(values);
+  if (!prior) return forward_error(prior);
+  task.request.prior = *prior;
+  task.request.record_particles = !values.has_no_particles;
+  task.request.record_topviews = !values.has_no_topviews;
+  if (values.most_frames > 0) task.request.most_frames = values.most_frames;
+  return task;
+}
+
+}  // namespace
+
+int run_localise(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
+  CLI::App app("Localises a recorded flight on a labelled overhead", "nadir localise");
+  LocaliseArguments values;
+  add_arguments(app, values);
+  if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
+  const auto task = task_of(values);
+  if (!task) return report_error(err, task.error());
+
+  const ThreadLimit limit(values.threads);
+  const auto evaluation = localise_and_evaluate(*task, err);
+  if (!evaluation) return report_error(err, evaluation.error());
+  const std::span runs(&*evaluation, 1);
+  out << (values.is_json ? report_as_json(runs) : report_as_text(runs));
+  return kDone;
+}
+
+}  // namespace nadir::cli

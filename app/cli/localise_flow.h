@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <string>
+
+#include "core/eval/run_evaluation.h"
+#include "core/run/localise_flight.h"
+
+namespace nadir::cli {
+
+/// What `nadir localise` was asked to do; `nadir demo` asks for the same.
+struct LocaliseTask {
+  std::filesystem::path flight, map;
+  std::optional<std::filesystem::path> run;  ///< Run file to write; without one nothing is kept.
+  std::string preset = "default";
+  LocaliseRequest request;
+  bool is_quiet = false;
+};
+
+/// Localises with a progress bar and judges the result. Ctrl+C stops it cleanly; the run file then
+/// holds the steps so far. Words go to `err`. @errors as localise_flight; a run file that holds no
+/// step is removed again.
+[[nodiscard]] Result<RunEvaluation> localise_and_evaluate(const LocaliseTask& task,
+                                                          std::ostream& err);
+
+}  // namespace nadir::cli

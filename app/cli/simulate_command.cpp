@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "app/cli/arguments.h"
+#include "app/cli/command.h"
+#include "app/cli/simulate_flow.h"
+#include "core/base/angle.h"
+#include "core/base/parallel.h"
+#include "core/geo/trajectory_file.h"
+
+namespace nadir::cli {
+namespace {
+
+struct SimulateArguments {
+  std::string map, out, route, truth, odometry, times, start;
+  bool is_quiet = false;
+  int threads = 0;
+  OptionFlags options;
+};
+
+void add_arguments(CLI::App& app, SimulateArguments& values) {
+  app.add_option("MAP", values.map, "Labelled overhead: a map package, or a bundled one by name")
+      ->required();
+  app.add_option("--out", values.out, "Flight folder to write")->required();
+  CLI::Option* route = app.add_option("--route", values.route,
+                                      "Route file; default: the map's own routes/loop.toml");
+  CLI::Option* truth =
+      app.add_option("--truth", values.truth,
+                     "Observe the map along this recorded true path (TUM, or KITTI poses)");
+  truth->excludes(route);
+  app.add_option("--odometry", values.odometry, "Recorded odometry of the same times as the truth")
+      ->needs(truth);
+  app.add_option("--times", values.times,
+                 "Time of each KITTI pose; default times.txt beside the poses")
+      ->needs(truth);
+  app.add_option("--start", values.start,
+                 "Lay the first true pose here: E,N,YAW in metres, metres, degrees "
+                 "counter-clockwise from east")
+      ->needs(truth);
+  app.add_option("--threads", values.threads,
+                 "Threads; 0 is all there are. The result does not depend on it")
+      ->check(CLI::Range(0, 1024));
+  app.add_flag("--quiet", values.is_quiet, "No progress and no words");
+  add_option_flags(app, option_texts(SimulationOptions{}), values.options);
+}
+
+Result<FlownPath> recorded_path(const SimulateArguments& values, double camera_height_m) {
+  const auto truth = read_trajectory(values.truth, values.times);
+  if (!truth) return forward_error(truth);
+  std::optional<Rigid2> start;
+  if (!values.start.empty()) {
+    const auto numbers = parse_list("--start", values.start, 3);
+    if (!numbers) return forward_error(numbers);
+    start = Rigid2{(*numbers)[0], (*numbers)[1], wrap_rad(Angle::degrees((*numbers)[2]).radians())};
+  }
+  FlownPath path{std::filesystem::path(values.truth).stem().string(),
+                 place_recorded_path(*truth, start, camera_height_m), std::nullopt, std::nullopt};
+  if (!values.odometry.empty()) {
+    auto odometry = read_trajectory(values.odometry, values.times);
+    if (!odometry) return forward_error(odometry);
+    path.odometry = std::move(*odometry);
+  }
+  return path;
+}
+
+}  // namespace
+
+int run_simulate(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
+  CLI::App app("Makes a flight with known truth on a labelled overhead", "nadir simulate");
+  SimulateArguments values;
+  add_arguments(app, values);
+  if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
+
+  SimulateTask task;
+  task.map = values.map;
+  task.flight = values.out;
+  task.route = values.route;
+  task.is_quiet = values.is_quiet;
+  for (const auto& [name, text] : values.options) {
+    if (const auto set = set_option(task.options, name, text); !set) {
+      return report_error(err, set.error());
+    }
+  }
+  if (!values.truth.empty()) {
+    auto path = recorded_path(values, task.options.camera_height_m);
+    if (!path) return report_error(err, path.error());
+    task.path = std::move(*path);
+  }
+  const ThreadLimit limit(values.threads);
+  const auto flight = simulate(task, err);
+  if (!flight) return report_error(err, flight.error());
+  if (!values.is_quiet) {
+    err << fmt::format("{}: {} frames, {:.1f} s, {:.1f} m\n", flight->folder.string(),
+                       flight->frames, flight->duration_s, flight->length_m);
+  }
+  return kDone;
+}
+
+}  // namespace nadir::cli

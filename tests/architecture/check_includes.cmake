@@ -1,0 +1,38 @@
+# Dependencies point one way (design: base < geo < map < topview < mcl; ...; widgets on core; app on all).
+# Run as: cmake -DROOT=<project> -P check_includes.cmake
+function(forbid folder pattern)
+  file(GLOB_RECURSE files "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.cpp")
+  foreach(file IN LISTS files)
+    file(STRINGS "${file}" hits REGEX "^#include [<\"](${pattern})")
+    foreach(hit IN LISTS hits)
+      message(SEND_ERROR "${file}: ${hit}")
+    endforeach()
+  endforeach()
+endfunction()
+
+# Headers of core are what an embedding program compiles: nothing heavy in them. Headers that only the .cpp files of their own
+# module include, and that are not installed, are named here.
+function(forbid_in_headers folder pattern)
+  file(GLOB_RECURSE files "${ROOT}/${folder}/*.h")
+  list(REMOVE_ITEM files "${ROOT}/core/map/crs.h")
+  foreach(file IN LISTS files)
+    file(STRINGS "${file}" hits REGEX "^#include [<\"](${pattern})")
+    foreach(hit IN LISTS hits)
+      message(SEND_ERROR "${file}: ${hit} (headers of core are light)")
+    endforeach()
+  endforeach()
+endfunction()
+
+forbid(core "vtk[A-Z]|imgui|GLFW/|GL/|CLI/|widgets/|app/|tests/")
+forbid(widgets "CLI/|app/|tests/")
+forbid(app "tests/")
+forbid(core/base "core/(geo|map|label|segment|topview|mcl|flight|sim|eval|run|session)/")
+forbid(core/geo "core/(map|label|segment|topview|mcl|flight|sim|eval|run|session)/")
+forbid(core/map "core/(label|segment|topview|mcl|flight|sim|eval|run|session)/")
+forbid(core/topview "core/(label|segment|mcl|flight|sim|eval|run|session)/")
+forbid(core/mcl "core/(label|segment|flight|sim|eval|run|session)/")
+forbid(core/flight "core/(label|segment|mcl|sim|eval|run|session)/")
+forbid(core/sim "core/(label|segment|mcl|eval|run|session)/")
+forbid(core/eval "core/(map|label|segment|topview|mcl|flight|sim|run|session)/")
+forbid(core/run "core/session/")
+forbid_in_headers(core "pcl/|opencv2/|gdal|ogr|toml|nlohmann|sqlite3|zstd|tbb/|oneapi/|CLI/")
