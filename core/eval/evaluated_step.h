@@ -22,7 +22,8 @@ struct EvaluatedStep {
   Rigid2 estimate_in_enu = {};
   Eigen::Matrix3d covariance =
       Eigen::Matrix3d::Zero();  ///< Of the estimate: x, y (m), yaw (rad) in enu.
-  Rigid2 odometry_in_enu = {};  ///< Odometry input laid at the start: what dead reckoning alone says.
+  Rigid2 odometry_in_enu =
+      {};                  ///< Odometry input laid at the start: what dead reckoning alone says.
   double update_ms = 0.0;  ///< Computing time of the update.
 };
 

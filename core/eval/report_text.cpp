@@ -24,7 +24,7 @@ std::string row(std::string_view name,
   std::optional<double> ratio;
   if (with_ratio && odometry && estimate && *odometry > 0.0) ratio = *estimate / *odometry;
   std::string text =
-      fmt::format("  {:<26}{:<8}{}  {}", name, unit, column(odometry, 3), column(estimate, 3));
+      fmt::format("  {:<28}{:<8}{}  {}", name, unit, column(odometry, 3), column(estimate, 3));
   if (with_ratio) text += "  " + column(ratio, 3);
   text.erase(text.find_last_not_of(' ') + 1);
   return text + "\n";
@@ -59,7 +59,7 @@ std::string statistics_rows(const RunEvaluation& e,
 std::string error_table(const RunEvaluation& e) {
   using Summary = PoseErrorSummary;
   std::string text =
-      fmt::format("\n  {:<34}{:>12}  {:>12}  {:>12}\n", "", "odometry", "estimate", "ratio");
+      fmt::format("\n  {:<36}{:>12}  {:>12}  {:>12}\n", "", "odometry", "estimate", "ratio");
   text += statistics_rows(e, "position", "m", &Summary::position_m, 1.0);
   text += error_row(e, "lateral RMSE", "m",
                     [](const Summary& s) { return s.lateral_m.root_mean_square; });

@@ -129,8 +129,10 @@ Result<void> FlightWriter::write(const EncodedFrame& frame) {
   }
   const std::string labels = fmt::format("labels/{:06}.png", flight.frame_count);
   const std::string depth = fmt::format("depth/{:06}.png", flight.frame_count);
-  if (const auto done = flight.write_image(labels, frame.labels_png); !done) return forward_error(done);
-  if (const auto done = flight.write_image(depth, frame.depth_png); !done) return forward_error(done);
+  if (const auto done = flight.write_image(labels, frame.labels_png); !done)
+    return forward_error(done);
+  if (const auto done = flight.write_image(depth, frame.depth_png); !done)
+    return forward_error(done);
   flight.label_list += fmt::format("{} {}\n", frame.time_s, labels);
   flight.depth_list += fmt::format("{} {}\n", frame.time_s, depth);
   flight.last_time_s = frame.time_s;

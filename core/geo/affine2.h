@@ -10,8 +10,9 @@
 
 namespace nadir {
 
-/// Where a raster lies: `plane = linear * (column, row) + offset`, columns to the right and rows down from the *corner* of
-/// the upper-left pixel, whose centre is (0.5, 0.5). Rotation, shear and non-square pixels are all allowed.
+/// Where a raster lies: `plane = linear * (column, row) + offset`, columns to the right and rows
+/// down from the *corner* of the upper-left pixel, whose centre is (0.5, 0.5). Rotation, shear and
+/// non-square pixels are all allowed.
 struct Affine2 {
   Eigen::Matrix2d linear = Eigen::Matrix2d::Identity();
   Eigen::Vector2d offset = Eigen::Vector2d::Zero();
@@ -21,18 +22,22 @@ struct Affine2 {
   }
   /// @errors kMalformed where it is singular or not finite, for then no pixel has a place.
   [[nodiscard]] Result<Affine2> inverse() const;
-  /// Length on the plane of one pixel along a row and along a column: column norms, not GT[1], so rotation is harmless.
+  /// Length on the plane of one pixel along a row and along a column: column norms, not GT[1], so
+  /// rotation is harmless.
   [[nodiscard]] Eigen::Vector2d pixel_size() const {
     return {linear.col(0).norm(), linear.col(1).norm()};
   }
-  [[nodiscard]] bool is_north_up() const { return linear(0, 1) == 0.0 && linear(1, 0) == 0.0 && linear(0, 0) > 0.0 && linear(1, 1) < 0.0; }
+  [[nodiscard]] bool is_north_up() const {
+    return linear(0, 1) == 0.0 && linear(1, 0) == 0.0 && linear(0, 0) > 0.0 && linear(1, 1) < 0.0;
+  }
 
   /// GDAL's six numbers, which are corner-based always; GDAL shifts PixelIsPoint itself.
   [[nodiscard]] static Affine2 from_gdal(const std::array<double, 6>& geotransform);
   [[nodiscard]] std::array<double, 6> to_gdal() const;
 };
 
-/// Text of a world file: A D B E C F, one a line, where C and F are the *centre* of the upper-left pixel.
+/// Text of a world file: A D B E C F, one a line, where C and F are the *centre* of the upper-left
+/// pixel.
 [[nodiscard]] Result<Affine2> parse_world_file(std::string_view text, const std::string& name);
 [[nodiscard]] std::string world_file_text(const Affine2& plane_from_pixel);
 

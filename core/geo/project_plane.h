@@ -14,8 +14,8 @@ struct Geodetic {
   double longitude_deg = 0.0;
 };
 
-/// The plane that a map lives in: transverse Mercator centred on the map with k = 1; `enu` is its east and north in metres.
-/// UTM would cost 0.4 m a kilometre and up to 2 degrees of yaw.
+/// The plane that a map lives in: transverse Mercator centred on the map with k = 1; `enu` is its
+/// east and north in metres. UTM would cost 0.4 m a kilometre and up to 2 degrees of yaw.
 class ProjectPlane {
  public:
   /// @errors kInvalidOptions: NaN, |latitude| > 89 (no east at the pole) or |longitude| > 180.
@@ -39,7 +39,8 @@ class ProjectPlane {
   Geodetic origin_;
 };
 
-/// Read-outs for people: "33.450112 N 83.901223 W", "17S 230567.1 E 3705123.4 N", "17S KT 30567 05123".
+/// Read-outs for people: "33.450112 N 83.901223 W", "17S 230567.1 E 3705123.4 N", "17S KT 30567
+/// 05123".
 [[nodiscard]] std::string geodetic_text(const Geodetic& position);
 [[nodiscard]] std::string utm_text(const Geodetic& position);
 /// @param digits  per coordinate: 5 is one metre, 4 ten.

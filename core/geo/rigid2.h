@@ -8,7 +8,8 @@
 
 namespace nadir {
 
-/// A rigid motion of the plane: `target_from_source * point_in_source`. Metres; yaw counter-clockwise in radians.
+/// A rigid motion of the plane: `target_from_source * point_in_source`. Metres; yaw
+/// counter-clockwise in radians.
 struct Rigid2 {
   double x_m = 0.0;
   double y_m = 0.0;

@@ -8,7 +8,8 @@
 
 namespace nadir {
 
-/// A rigid motion of space: `target_from_source * point_in_source`. The quaternion is of unit length; metres.
+/// A rigid motion of space: `target_from_source * point_in_source`. The quaternion is of unit
+/// length; metres.
 struct Rigid3 {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();
@@ -45,7 +46,8 @@ struct Attitude {
 /// Rotation that takes points of `body` to `level`: same heading, roll and pitch taken out.
 [[nodiscard]] Eigen::Quaterniond level_from_body(const Eigen::Quaterniond& world_from_body);
 
-/// `body` (x forward, y left, z up) from `camera` (x right, y down, z forward) for a camera that looks straight ahead.
+/// `body` (x forward, y left, z up) from `camera` (x right, y down, z forward) for a camera that
+/// looks straight ahead.
 [[nodiscard]] Eigen::Quaterniond forward_body_from_camera();
 
 }  // namespace nadir

@@ -15,7 +15,7 @@ struct MapProvenance {
   std::string name = {};
   std::string source = {};   ///< Who made it from what, in a sentence.
   std::string licence = {};  ///< SPDX identifier or a sentence.
-  std::string date = {};     ///< Of the imagery, ISO 8601, because overheads go stale. May be empty.
+  std::string date = {};  ///< Of the imagery, ISO 8601, because overheads go stale. May be empty.
 };
 
 /// Red, green, blue, eight bits each.

@@ -65,9 +65,9 @@ struct LocaliserOptions {
   MotionKind motion = MotionKind::kScaled;
   double rotation_noise_rad = 0.1;
   double translation_noise_m = 0.3;
-  double position_noise_m_per_sqrt_s = 0.6;
+  double position_noise_m_per_sqrt_s = 0.9;
   double position_noise_per_sqrt_m = 0.1;
-  double direction_noise_rad = 0.1;
+  double direction_noise_rad = 0.3;
   double yaw_noise_rad_per_sqrt_s = 0.04;
   double yaw_noise_per_rad = 0.1;
   double hover_below_m = 0.01;
@@ -79,10 +79,10 @@ struct LocaliserOptions {
   double unknown_cost = 0.5;
   LikelihoodKind likelihood = LikelihoodKind::kTempered;
   double gamma0 = 0.01;
-  double temperature = 0.02;
+  double temperature = 0.01;
   double full_evidence_area_m2 = 10.0;
   double evidence_spacing_m = 1.0;
-  int max_cells_per_class = 600;
+  int max_cells_per_class = 400;
   // Resampling and blur.
   ResamplingKind resampling = ResamplingKind::kSystematic;
   double resample_below_fraction = 0.5;

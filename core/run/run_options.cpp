@@ -8,7 +8,10 @@ namespace nadir {
 Result<RunOptions> run_preset(std::string_view name) {
   const auto localiser = localiser_preset(name);
   if (!localiser) return forward_error(localiser);
-  return RunOptions{*localiser, {}};
+  RunOptions options;
+  options.localiser = *localiser;
+  if (name != "default") options.topview = TopviewOptions{};
+  return options;
 }
 
 Result<RunRecipe> read_run_recipe(const std::filesystem::path& path) {

@@ -12,10 +12,12 @@
 
 namespace nadir {
 
-/// Everything that can be set about a run: how the topview is made and how the filter works.
+/// Everything that can be set about a run: how the topview is made and how the filter works. The
+/// defaults are the preset `default`; it asks for three votes a cell, because single points are
+/// often noise.
 struct RunOptions {
   LocaliserOptions localiser;
-  TopviewOptions topview;
+  TopviewOptions topview{.min_votes = 3};
 };
 
 template <typename Options, typename Visitor>
@@ -25,9 +27,8 @@ void visit_fields(Options& options, Visitor&& visit) {
   visit_fields(options.topview, visit);
 }
 
-/// Options of a preset by name; the thesis's topview is the default one (beta = 1, its value in
-/// simulation).
-/// @errors kInvalidOptions, naming the nearest preset.
+/// Options of a preset by name; those of the thesis take the thesis's topview (beta = 1, its value
+/// in simulation). @errors kInvalidOptions, naming the nearest preset.
 [[nodiscard]] Result<RunOptions> run_preset(std::string_view name);
 
 /// A recipe: TOML with `preset = "..."` and, in a table `[options]`, any option by its name.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A vehicle that links Nadir: feeds odometry and topviews, reads the estimate. The map is a made-up chequered street.
+// A vehicle that links Nadir: feeds odometry and topviews, reads the estimate. The map is a made-up
+// chequered street.
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -18,7 +19,8 @@ nadir::OverheadMap street_map() {
     for (int column = 0; column < 400; ++column) {
       if (row > 90 && row < 120) map.labels.at(column, row) = nadir::kRoad;
       if (row == 105 && column / 13 % 3 != 0) map.labels.at(column, row) = nadir::kLaneMarking;
-      if (row < 85 && (column * column / 900) % 3 == 0) map.labels.at(column, row) = nadir::kBuilding;
+      if (row < 85 && (column * column / 900) % 3 == 0)
+        map.labels.at(column, row) = nadir::kBuilding;
     }
   }
   return map;

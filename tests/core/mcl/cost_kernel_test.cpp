@@ -117,8 +117,8 @@ TEST(CostKernel, CostsTheBorderEverywhereOffTheMap) {
   const CostRaster raster = numbered_raster(10, 8);
   const auto cells = fan(18);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const Rigid2& pose : {Rigid2{-1e9, 3.0, 0.3}, Rigid2{1e12, -1e12, 2.0}, Rigid2{nan, nan, 0.0},
-                            Rigid2{90.0, 2.0, 0.0}}) {
+  for (const Rigid2& pose : {Rigid2{-1e9, 3.0, 0.3}, Rigid2{1e12, -1e12, 2.0},
+                             Rigid2{nan, nan, 0.0}, Rigid2{90.0, 2.0, 0.0}}) {
     EXPECT_EQ(sum_costs(raster, cells, fixed_pose(pose, map), best_instruction_set()), 18U * 200U);
   }
 }
