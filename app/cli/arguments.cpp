@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <sstream>
 #include <system_error>
 
 #include "app/cli/command.h"
@@ -33,7 +35,10 @@ int report_error(std::ostream& err, const Error& error) {
   return kFailed;
 }
 
-void add_option_flags(CLI::App& app, const std::vector<OptionText>& options, OptionFlags& values) {
+void add_option_flags(CLI::App& app,
+                      const std::string& heading,
+                      const std::vector<OptionText>& options,
+                      OptionFlags& values) {
   for (const OptionText& option : options) {
     std::string help = option.help;
     if (!option.unit.empty()) help += " [" + option.unit + "]";
@@ -43,7 +48,7 @@ void add_option_flags(CLI::App& app, const std::vector<OptionText>& options, Opt
            "--" + option.name,
            [&values, name = option.name](const std::string& text) { values[name] = text; }, help)
         ->type_name("")
-        ->group("Options of the localiser (defaults of preset 'default')");
+        ->group(heading);
   }
 }
 
@@ -72,11 +77,26 @@ fs::path find_bundled(const fs::path& path) {
   std::error_code error;
   if (path.is_absolute() || fs::exists(path, error)) return path;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  for (const fs::path& root :
-       {program.parent_path().parent_path() / "share" / "nadir", fs::path(NADIR_SOURCE_DIR)}) {
-    if (fs::exists(root / path, error)) return root / path;
+  const bool is_installed = program.string().rfind(NADIR_BUILD_DIR "/", 0) != 0;
+  const fs::path root = is_installed ? program.parent_path().parent_path() / "share" / "nadir"
+                                     : fs::path(NADIR_SOURCE_DIR);
+  for (const fs::path& candidate : {root / path, root / "maps" / path}) {
+    if (fs::exists(candidate, error)) return candidate;
   }
   return path;
+}
+
+std::string program_name() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const char* folders =
+      std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): nobody sets variables
+  std::istringstream stream(folders != nullptr ? folders : "");
+  for (std::string folder; std::getline(stream, folder, ':');) {
+    if (fs::equivalent(fs::path(folder) / "nadir", program, error)) return "nadir";
+  }
+  const fs::path nearby = fs::relative(program, error);
+  return error || nearby.empty() ? program.string() : nearby.string();
 }
 
 }  // namespace nadir::cli

@@ -25,21 +25,27 @@ namespace nadir::cli {
                                                  std::ostream& out,
                                                  std::ostream& err);
 
-/// Prints an error as the program's one sentence. Returns the exit status: misuse for options, else
-/// failure.
+/// Prints an error as the program's one sentence. Returns the exit status of a failure.
 int report_error(std::ostream& err, const Error& error);
 
 /// Flags that set options by name, as text that set_option() reads after parsing.
 using OptionFlags = std::map<std::string, std::string>;
 /// Adds one flag an option, with unit, range and default in its help.
-void add_option_flags(CLI::App& app, const std::vector<OptionText>& options, OptionFlags& values);
+/// @param heading  Of these flags on the help page.
+void add_option_flags(CLI::App& app,
+                      const std::string& heading,
+                      const std::vector<OptionText>& options,
+                      OptionFlags& values);
 
 /// Three numbers "E,N,YAW" and the like. @errors kInvalidOptions, naming the flag.
 [[nodiscard]] Result<std::vector<double>> parse_list(const std::string& flag,
                                                      const std::string& text,
                                                      std::size_t count);
 
-/// A path that is there, or what the program brings along under that name (maps/proving-ground).
+/// A path that is there, or what the program brings along: "maps/proving-ground", or a map by its name alone.
 [[nodiscard]] std::filesystem::path find_bundled(const std::filesystem::path& path);
+
+/// How the user calls this program: "nadir" where the shell finds it by that name, else its path.
+[[nodiscard]] std::string program_name();
 
 }  // namespace nadir::cli

@@ -19,14 +19,15 @@ namespace fs = std::filesystem;
 
 constexpr const char* kBundledMap = "maps/proving-ground";
 
-/// Copies the map beside flight and run, so that the folder can be moved or sent as a whole.
+/// Copies the map beside flight and run, so that the folder can be moved or sent as a whole. One that is there already is
+/// left alone: somebody may have worked on it.
 Result<void> copy_map(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  if (fs::exists(to / "map.toml", error)) return {};
   auto staged = StagedOutput::folder(to, "map.toml");
   if (!staged) return forward_error(staged);
-  std::error_code error;
-  fs::copy(from, staged->path(), fs::copy_options::recursive | fs::copy_options::overwrite_existing,
-           error);
-  if (error) return fail(ErrorCode::kIo, "{}: {}", to.string(), error.message());
+  fs::copy(from, staged->path(), fs::copy_options::recursive, error);
+  if (error) return fail(ErrorCode::kIo, "{}: {}: {}", to.string(), from.string(), error.message());
   return staged->commit();
 }
 
@@ -38,16 +39,15 @@ Result<void> make_folder(const fs::path& folder) {
 }
 
 std::string what_next(const fs::path& folder) {
-  const std::string name = folder.string();
+  const std::string program = program_name();
   return fmt::format(
       "\nIn {0}: the map, the flight, the run and this table (table.txt, table.json). Next:\n"
-      "  nadir map info {0}/map                 what the overhead holds\n"
-      "  nadir flight info {0}/flight           what was recorded\n"
-      "  nadir localise {0}/flight --map {0}/map --preset thesis    the published filter on the "
-      "same flight\n"
-      "  nadir evaluate {0}/run.nadir --json    the table for a script\n"
-      "  sqlite3 {0}/run.nadir .tables          every step of the run\n",
-      name);
+      "  what the overhead holds         {1} map info {0}/map\n"
+      "  what was recorded               {1} flight info {0}/flight\n"
+      "  the published filter on it      {1} localise {0}/flight --map {0}/map --preset thesis\n"
+      "  the table for a script          {1} evaluate {0}/run.nadir --json\n"
+      "  every step of the run           sqlite3 {0}/run.nadir .tables\n",
+      folder.string(), program);
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ int run_demo(std::span<const std::string> arguments, std::ostream& out, std::ost
   CLI::App app("Makes a flight over the bundled town, localises it and prints the errors",
                "nadir demo");
   std::string folder_name = "nadir-demo";
-  std::uint64_t seed = 1;
+  std::string seed = "1";
   bool is_quiet = false;
   bool is_json = false;
   int threads = 0;
@@ -68,6 +68,12 @@ int run_demo(std::span<const std::string> arguments, std::ostream& out, std::ost
   app.add_flag("--json", is_json, "Print one JSON object instead of the table");
   app.add_flag("--quiet", is_quiet, "No progress and no words beside the result");
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
+  SimulateTask flight;
+  LocaliseTask task;
+  for (const auto& set :
+       {set_option(flight.options, "seed", seed), set_option(task.request.options, "seed", seed)}) {
+    if (!set) return report_error(err, set.error());
+  }
 
   const ThreadLimit limit(threads);
   const fs::path folder = folder_name;
@@ -75,18 +81,14 @@ int run_demo(std::span<const std::string> arguments, std::ostream& out, std::ost
   if (const auto copied = copy_map(find_bundled(kBundledMap), folder / "map"); !copied) {
     return report_error(err, copied.error());
   }
-  SimulateTask flight;
   flight.map = folder / "map";
   flight.flight = folder / "flight";
-  flight.options.seed = seed;
   flight.is_quiet = is_quiet;
   if (const auto made = simulate(flight, err); !made) return report_error(err, made.error());
 
-  LocaliseTask task;
   task.flight = folder / "flight";
   task.map = folder / "map";
   task.run = folder / "run.nadir";
-  task.request.options.localiser.seed = seed;
   task.is_quiet = is_quiet;
   const auto evaluation = localise_and_evaluate(task, err);
   if (!evaluation) return report_error(err, evaluation.error());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,12 @@ int run_evaluate(std::span<const std::string> arguments, std::ostream& out, std:
   add_arguments(app, values);
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
 
+  for (const std::string& run : values.runs) {
+    std::error_code error;
+    if (!values.out_file.empty() && std::filesystem::equivalent(run, values.out_file, error)) {
+      return report_error(err, {ErrorCode::kInvalidOptions, "--out: " + run + " is a run to read"});
+    }
+  }
   const Alignment alignment = alignment_from_name(values.alignment).value_or(Alignment::kNone);
   std::vector<RunEvaluation> evaluations;
   for (const std::string& run : values.runs) {

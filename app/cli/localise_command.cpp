@@ -18,7 +18,7 @@ struct LocaliseArguments {
   bool is_global = false, is_json = false, is_quiet = false;
   bool has_no_particles = false, has_no_topviews = false;
   int threads = 0;
-  std::size_t most_frames = 0;
+  std::int64_t most_frames = 0;
   OptionFlags options;
 };
 
@@ -42,7 +42,8 @@ void add_arguments(CLI::App& app, LocaliseArguments& values) {
                  "Spread of the start as METRES,DEGREES, default 2.24,28.6")
       ->needs(prior);
   app.add_flag("--global", values.is_global, "Nothing is known about the start")->excludes(prior);
-  app.add_option("--frames", values.most_frames, "Stop after so many frames");
+  app.add_option("--frames", values.most_frames, "Stop after so many frames")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40U));
   app.add_flag("--no-particles", values.has_no_particles,
                "Leave the particles out of the run file");
   app.add_flag("--no-topviews", values.has_no_topviews, "Leave the topviews out of the run file");
@@ -51,7 +52,8 @@ void add_arguments(CLI::App& app, LocaliseArguments& values) {
       ->check(CLI::Range(0, 1024));
   app.add_flag("--json", values.is_json, "Print one JSON object instead of the table");
   app.add_flag("--quiet", values.is_quiet, "No progress and no words beside the result");
-  add_option_flags(app, option_texts(RunOptions{}), values.options);
+  add_option_flags(app, "Options of the localiser (defaults of preset 'default')",
+                   option_texts(RunOptions{}), values.options);
   app.footer(
       "Without --prior and --global the flight starts at its own truth, with the spread above.");
 }
@@ -100,7 +102,8 @@ Result<LocaliseTask> task_of(const LocaliseArguments& values) {
   task.request.prior = *prior;
   task.request.record_particles = !values.has_no_particles;
   task.request.record_topviews = !values.has_no_topviews;
-  if (values.most_frames > 0) task.request.most_frames = values.most_frames;
+  if (values.most_frames > 0)
+    task.request.most_frames = static_cast<std::size_t>(values.most_frames);
   return task;
 }
 

@@ -2,6 +2,9 @@
 #include "app/cli/localise_flow.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <system_error>
 
 #include "app/cli/arguments.h"
 #include "app/cli/console.h"
@@ -11,7 +14,13 @@
 namespace nadir::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 void say_what_was_left_out(const LocaliseSummary& summary, std::ostream& err) {
+  if (summary.frames_passed_over > 0) {
+    err << fmt::format("{} frames were used and {} passed over (--min-update-interval)\n",
+                       summary.steps, summary.frames_passed_over);
+  }
   if (summary.frames_without_odometry > 0) {
     err << fmt::format("{} frames were left out because the odometry has a gap there\n",
                        summary.frames_without_odometry);
@@ -22,16 +31,15 @@ void say_what_was_left_out(const LocaliseSummary& summary, std::ostream& err) {
   }
 }
 
-/// Steps of a run as they come: into the file, where there is one, and always into the evaluation.
+/// Steps of a run as they come: into the file, where there is one, and always into the evaluation. An earlier run of the
+/// same name steps aside and comes back when the new one fails.
 class Recorder {
  public:
   Recorder(const LocaliseTask& task, RunHeader header) : task_(task), header_(std::move(header)) {}
 
   Result<void> record(const RunStep& step) {
     if (task_.run && !writer_) {  // not before there is something to write
-      auto created = RunWriter::create(*task_.run, header_);
-      if (!created) return forward_error(created);
-      writer_.emplace(std::move(*created));
+      if (auto started = start(); !started) return started;
     }
     steps_.push_back(evaluated_step(step));
     return writer_ ? writer_->write(step) : Result<void>();
@@ -41,17 +49,54 @@ class Recorder {
     if (writer_) {
       if (const auto finished = writer_->finish(); !finished) return forward_error(finished);
     }
+    keep();
     auto evaluation = evaluate_steps(steps_);
     if (!evaluation) return evaluation;
     describe(*evaluation, header_, task_.run ? task_.run->string() : "(not kept)");
     return evaluation;
   }
 
+  /// The new file stays; the earlier one goes.
+  void keep() {
+    std::error_code ignored;
+    if (!earlier_.empty()) fs::remove(earlier_, ignored);
+  }
+
+  /// The new file goes; the earlier one comes back.
+  void discard() {
+    std::error_code ignored;
+    const bool has_file = writer_.has_value();
+    writer_.reset();
+    if (has_file) fs::remove(*task_.run, ignored);
+    if (has_file) fs::remove(task_.run->string() + "-journal", ignored);
+    if (!earlier_.empty()) fs::rename(earlier_, *task_.run, ignored);
+  }
+
   [[nodiscard]] std::size_t step_count() const { return steps_.size(); }
 
  private:
+  Result<void> start() {
+    std::error_code error;
+    if (fs::exists(*task_.run, error)) {
+      const auto earlier = RunReader::open(*task_.run);
+      if (!earlier) return forward_error(earlier, "will not be overwritten");
+      earlier_ = *task_.run;
+      earlier_ += ".earlier-" + std::to_string(::getpid());
+      fs::rename(*task_.run, earlier_, error);
+      if (error) {
+        earlier_.clear();
+        return fail(ErrorCode::kIo, "{}: {}", task_.run->string(), error.message());
+      }
+    }
+    auto created = RunWriter::create(*task_.run, header_);
+    if (!created) return forward_error(created);
+    writer_.emplace(std::move(*created));
+    return {};
+  }
+
   const LocaliseTask& task_;
   RunHeader header_;
+  fs::path earlier_;  ///< Where the earlier run waits; empty where there is none.
   std::optional<RunWriter> writer_;
   std::vector<EvaluatedStep> steps_;
 };
@@ -63,13 +108,16 @@ Result<RunEvaluation> localise_and_evaluate(const LocaliseTask& task, std::ostre
   const std::filesystem::path map_path = find_bundled(task.map);
   auto map = read_overhead_map(map_path);
   if (!map) return forward_error(map);
+  if (const auto usable = check_usable_for_localising(*map); !usable) {
+    return forward_error(usable, map_path.string());
+  }
   const auto flight = open_flight(task.flight);
   if (!flight) return forward_error(flight);
   const auto index =
       std::make_shared<const MapIndex>(std::make_shared<const OverheadMap>(std::move(*map)));
 
-  Recorder recorder(task, run_header(**flight, index->map(), map_path.string(), task.preset,
-                                     task.request.options));
+  Recorder recorder(
+      task, run_header(**flight, index->map(), map_path.string(), task.preset, task.request));
   Result<LocaliseSummary> summary;
   {
     ProgressBar bar(err, task.is_quiet);
@@ -81,15 +129,19 @@ Result<RunEvaluation> localise_and_evaluate(const LocaliseTask& task, std::ostre
         **flight, index, task.request,
         [&recorder](const RunStep& step) { return recorder.record(step); }, context);
   }
+  if (!summary && summary.error().code == ErrorCode::kCancelled && recorder.step_count() > 0) {
+    recorder.keep();
+    return fail(ErrorCode::kCancelled, "stopped after {} steps{}", recorder.step_count(),
+                task.run ? "; they are in " + task.run->string() : std::string());
+  }
   if (!summary) {
-    if (summary.error().code == ErrorCode::kCancelled && task.run && recorder.step_count() > 0) {
-      return fail(ErrorCode::kCancelled, "stopped; the first {} steps are in {}",
-                  recorder.step_count(), task.run->string());
-    }
+    recorder.discard();
     return forward_error(summary);
   }
   if (!task.is_quiet) say_what_was_left_out(*summary, err);
-  return recorder.finish();
+  auto evaluation = recorder.finish();
+  if (!evaluation) recorder.discard();
+  return evaluation;
 }
 
 }  // namespace nadir::cli

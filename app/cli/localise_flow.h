@@ -20,9 +20,8 @@ struct LocaliseTask {
   bool is_quiet = false;
 };
 
-/// Localises with a progress bar and judges the result. Ctrl+C stops it cleanly; the run file then
-/// holds the steps so far. Words go to `err`. @errors as localise_flight; a run file that holds no
-/// step is removed again.
+/// Localises with a progress bar and judges the result. Words go to `err`. Ctrl+C stops it cleanly: the run file then holds
+/// the steps so far. @errors as localise_flight: then no new run file is left, and an earlier one of that name is as it was.
 [[nodiscard]] Result<RunEvaluation> localise_and_evaluate(const LocaliseTask& task,
                                                           std::ostream& err);
 

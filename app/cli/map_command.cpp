@@ -29,7 +29,7 @@ struct ImportArguments {
   MapProvenance provenance;
   std::string anchor, anchor_at = "top-left", crs, remap, image;
   std::optional<double> metres_per_pixel, resolution, building_contours_m;
-  int inside = 255;
+  std::optional<int> inside;
   bool is_flipped = false;
   bool is_quiet = false;
 };
@@ -162,9 +162,9 @@ CLI::App& add_import(CLI::App& app, ImportArguments& given) {
   import.add_option("--metres-per-pixel", given.metres_per_pixel,
                     "Of a source without georeference");
   import.add_flag("--flip", given.is_flipped, "The source's first row is its southernmost");
-  import
-      .add_option("--inside", given.inside, "Value that means \"belongs to the class\": 0 or 255")
-      ->capture_default_str();
+  import.add_option(
+      "--inside", given.inside,
+      "Value of class images that means \"belongs to the class\": 0 or 255 (else 255)");
   import.add_option("--resolution", given.resolution,
                     "Metres per cell of the map (else the source's on the ground)");
   import.add_option("--building-contours", given.building_contours_m,

@@ -44,7 +44,8 @@ void add_arguments(CLI::App& app, SimulateArguments& values) {
                  "Threads; 0 is all there are. The result does not depend on it")
       ->check(CLI::Range(0, 1024));
   app.add_flag("--quiet", values.is_quiet, "No progress and no words");
-  add_option_flags(app, option_texts(SimulationOptions{}), values.options);
+  add_option_flags(app, "Options of the simulation", option_texts(SimulationOptions{}),
+                   values.options);
 }
 
 Result<FlownPath> recorded_path(const SimulateArguments& values, double camera_height_m) {

@@ -104,6 +104,16 @@ std::vector<std::string> Settings::keys() const {
   return names;
 }
 
+Result<void> Settings::refuse_unknown(const std::vector<std::string>& known) const {
+  for (const std::string& key : keys()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    const std::string nearest = nearest_word(key, known);
+    return fail(ErrorCode::kMalformed, "{}: {} is no known key{}", name_, key,
+                nearest.empty() ? std::string() : fmt::format(" (did you mean {}?)", nearest));
+  }
+  return {};
+}
+
 Result<double> Settings::number(std::string_view key) const {
   auto value = value_at<double>(node_->table, key, name_, "a number");
   if (value && !std::isfinite(*value)) {

@@ -27,6 +27,10 @@ class Settings {
   [[nodiscard]] bool has(std::string_view dotted_key) const;
   [[nodiscard]] std::vector<std::string> keys() const;  ///< Of this table alone, sorted.
 
+  /// A misspelt key that is passed over in silence is a setting that nobody notices is missing.
+  /// @errors kMalformed: "loop.toml: sped_mps is no known key (did you mean speed_mps?)".
+  [[nodiscard]] Result<void> refuse_unknown(const std::vector<std::string>& known) const;
+
   /// Each fails with kMalformed where the key is missing or of another type.
   [[nodiscard]] Result<double> number(std::string_view dotted_key) const;
   [[nodiscard]] Result<std::int64_t> integer(std::string_view dotted_key) const;

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <fstream>
@@ -35,6 +36,38 @@ Result<void> check_parent(const fs::path& target) {
   return {};
 }
 
+/// Whether a folder may be made under this name without losing anything that is not of the same kind.
+Result<void> check_replaceable(const fs::path& target,
+                               const std::string& name,
+                               std::string_view marker,
+                               std::span<const std::string_view> own_entries) {
+  std::error_code error;
+  const fs::file_status status = fs::status(target, error);
+  if (!fs::exists(status)) return {};
+  if (!fs::is_directory(status)) {
+    return fail(ErrorCode::kIo, "{}: exists and is not a folder", name);
+  }
+  if (fs::equivalent(target, fs::current_path(error), error)) {
+    return fail(ErrorCode::kIo, "{}: is the folder that you stand in; name a new one", name);
+  }
+  bool has_marker = false;
+  bool is_empty = true;
+  fs::directory_iterator entries(target, error);
+  for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
+    const std::string entry = entries->path().filename().string();
+    is_empty = false;
+    has_marker = has_marker || entry == marker;
+    if (own_entries.empty()) continue;
+    if (std::find(own_entries.begin(), own_entries.end(), entry) == own_entries.end()) {
+      return fail(ErrorCode::kIo, "{}: holds {}, so it is left alone; name a new folder", name,
+                  entry);
+    }
+  }
+  if (error) return fail(ErrorCode::kIo, "{}: {}", name, error.message());
+  if (is_empty || has_marker) return {};
+  return fail(ErrorCode::kIo, "{}: exists and holds no {}, so it is left alone", name, marker);
+}
+
 }  // namespace
 
 Result<StagedOutput> StagedOutput::file(const fs::path& target) {
@@ -48,20 +81,13 @@ Result<StagedOutput> StagedOutput::file(const fs::path& target) {
 }
 
 Result<StagedOutput> StagedOutput::folder(const fs::path& given,
-                                          std::string_view replaceable_marker) {
+                                          std::string_view marker,
+                                          std::span<const std::string_view> own_entries) {
   if (given.empty()) return fail(ErrorCode::kInvalidOptions, "output folder: its name is empty");
-  const fs::path target = without_trailing_slash(given);
   std::error_code error;
-  if (fs::exists(target, error)) {
-    if (!fs::is_directory(target, error)) {
-      return fail(ErrorCode::kIo, "{}: exists and is not a folder", target.string());
-    }
-    const bool is_replaceable =
-        fs::is_empty(target, error) || fs::exists(target / replaceable_marker);
-    if (error || !is_replaceable) {
-      return fail(ErrorCode::kIo, "{}: exists, is not empty and holds no {}, so it is left alone",
-                  target.string(), replaceable_marker);
-    }
+  const fs::path target = without_trailing_slash(fs::absolute(given, error).lexically_normal());
+  if (const auto free = check_replaceable(target, given.string(), marker, own_entries); !free) {
+    return forward_error(free);
   }
   if (const auto parent = check_parent(target); !parent) return forward_error(parent);
   const fs::path staged = staged_name(target);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -20,11 +21,14 @@ class StagedOutput {
   /// Replaces an existing file on commit. @errors kIo: the parent folder is missing or not
   /// writable.
   [[nodiscard]] static Result<StagedOutput> file(const std::filesystem::path& target);
-  /// Makes an empty folder to fill. @errors kIo as above, or the target exists and is neither an
-  /// empty folder nor one that holds `replaceable_marker` (the file by which an earlier output of
-  /// the same kind is known, such as flight.toml).
-  [[nodiscard]] static Result<StagedOutput> folder(const std::filesystem::path& target,
-                                                   std::string_view replaceable_marker);
+  /// Makes an empty folder to fill. A target that exists is replaced on commit only if it is empty or holds `marker`, the
+  /// file by which an output of this kind is known, and, where `own_entries` are given, nothing but those; without them
+  /// the caller sees to what else is there.
+  /// @errors kIo: as above, or the target holds something else, which is then left alone and named.
+  [[nodiscard]] static Result<StagedOutput> folder(
+      const std::filesystem::path& target,
+      std::string_view marker,
+      std::span<const std::string_view> own_entries = {});
 
   StagedOutput(StagedOutput&& other) noexcept;
   StagedOutput& operator=(StagedOutput&& other) = delete;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/flight/flight_writer.h"
 
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <fstream>
@@ -107,7 +108,9 @@ Result<FlightWriter> FlightWriter::create(const fs::path& folder,
   const auto readable = parse_flight_settings(flight_settings_text(settings), folder.string());
   if (!readable) return forward_error(readable);
 
-  auto output = StagedOutput::folder(folder, "flight.toml");
+  static constexpr std::array<std::string_view, 7> kEntries = {
+      "flight.toml", "labels", "depth", "labels.txt", "depth.txt", "odometry.txt", "truth.txt"};
+  auto output = StagedOutput::folder(folder, kEntries.front(), kEntries);
   if (!output) return forward_error(output);
   for (const char* name : {"labels", "depth"}) {
     std::error_code error;

@@ -15,8 +15,9 @@ namespace {
 
 constexpr int kFractionBits = 15;
 constexpr double kFactorOne = 16384.0;  // 2^14
-/// No topview reaches farther than this many cells (TopviewOptions refuses it).
-constexpr double kReach_cells = 15'000.0;
+// A body that lies just out of reach, plus what its cells may add, still fits into 31 bits.
+static_assert((kMaxMapSide + 2LL * (kMaxReachCells + 2)) << kFractionBits <= 1LL << 31U);
+constexpr double kReach_cells = kMaxReachCells + 1.0;
 
 std::uint32_t sum_portable(const CostRaster& raster,
                            std::span<const HalfCell> cells,

@@ -23,6 +23,9 @@ struct CostRaster {
   [[nodiscard]] int stride() const { return width + 2; }
 };
 
+/// No topview cell is farther from the body than this; builders of topviews refuse larger ranges.
+inline constexpr int kMaxReachCells = kMaxTopviewReachCells;
+
 /// Maps larger than this on a side are refused: positions are fixed-point numbers with 15 bits
 /// behind the point.
 inline constexpr int kMaxMapSide = 45'000;

@@ -11,10 +11,12 @@ namespace nadir {
 Result<Localiser> Localiser::create(std::shared_ptr<const MapIndex> index,
                                     const LocaliserOptions& options,
                                     const Prior& prior) {
-  if (const auto valid = validate_localiser(options); !valid) return forward_error(valid);
+  if (const auto valid = validate(options); !valid) return forward_error(valid);
   auto matcher = MapMatcher::create(std::move(index), options);
   if (!matcher) return forward_error(matcher);
-  auto particles = draw_particles(prior, matcher->map(), options.particle_count, options.seed);
+  const bool is_global = std::holds_alternative<GlobalPrior>(prior);
+  const int count = is_global ? options.global_particle_count : options.particle_count;
+  auto particles = draw_particles(prior, matcher->map(), count, options.seed);
   if (!particles) return forward_error(particles);
   return Localiser(std::move(*matcher), options, std::move(*particles));
 }
@@ -32,8 +34,9 @@ LocaliserUpdate Localiser::update(const OdometryStep& odometry, const SemanticTo
   result.effective_sample_size = effective_sample_size(particles_);
   const double effective_fraction =
       result.effective_sample_size / static_cast<double>(particles_.size());
+  // Rounding may lift the fraction of equal weights above 1.
   result.was_resampled =
-      result.was_weighted && effective_fraction <= options_.resample_below_fraction;
+      result.was_weighted && std::min(1.0, effective_fraction) <= options_.resample_below_fraction;
 
   const auto estimate = [&] {
     result.estimate = {pose_moments(particles_), find_modes(particles_)};

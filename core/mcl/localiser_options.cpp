@@ -12,6 +12,7 @@ namespace {
 LocaliserOptions thesis_options() {
   LocaliserOptions options;
   options.particle_count = 10'000;
+  options.global_particle_count = 10'000;
   options.adapt_particle_count = false;
   options.motion = MotionKind::kThesis;
   options.hover_below_m = 0.0;
@@ -20,6 +21,7 @@ LocaliserOptions thesis_options() {
   options.alpha = ImportanceReading::kInverseShare;
   options.unknown_cost = 1.0;
   options.likelihood = LikelihoodKind::kThesis;
+  options.min_effective_fraction = 0.0;
   options.full_evidence_area_m2 = 0.0;
   options.evidence_spacing_m = 0.0;
   options.max_cells_per_class = 0;
@@ -33,15 +35,6 @@ LocaliserOptions thesis_options() {
 }
 
 }  // namespace
-
-Result<void> validate_localiser(const LocaliserOptions& options) {
-  if (auto ranges = validate(options); !ranges) return ranges;
-  if (options.adapt_particle_count && options.min_particle_count > options.particle_count) {
-    return fail(ErrorCode::kInvalidOptions, "--min-particles: {} is more than --particles {}",
-                options.min_particle_count, options.particle_count);
-  }
-  return {};
-}
 
 std::vector<std::string> localiser_preset_names() {
   return {"default", "thesis", "thesis-literal-alpha", "thesis-hard"};

@@ -59,6 +59,7 @@ struct LocaliserOptions {
   // How many particles.
   int particle_count = 10'000;
   int min_particle_count = 2'000;
+  int global_particle_count = 100'000;
   bool adapt_particle_count = true;
   double kld_error = 0.02;
   // Prediction.
@@ -66,10 +67,10 @@ struct LocaliserOptions {
   double rotation_noise_rad = 0.1;
   double translation_noise_m = 0.3;
   double position_noise_m_per_sqrt_s = 0.9;
-  double position_noise_per_sqrt_m = 0.1;
-  double direction_noise_rad = 0.3;
+  double along_noise_m_per_sqrt_m = 0.1;
+  double across_noise_m_per_sqrt_m = 0.3;
   double yaw_noise_rad_per_sqrt_s = 0.04;
-  double yaw_noise_per_rad = 0.1;
+  double turn_noise_rad_per_sqrt_rad = 0.05;
   double hover_below_m = 0.01;
   // Correction.
   double min_update_interval_s = 0.0;
@@ -80,6 +81,7 @@ struct LocaliserOptions {
   LikelihoodKind likelihood = LikelihoodKind::kTempered;
   double gamma0 = 0.01;
   double temperature = 0.01;
+  double min_effective_fraction = 0.05;
   double full_evidence_area_m2 = 10.0;
   double evidence_spacing_m = 1.0;
   int max_cells_per_class = 400;
@@ -101,6 +103,9 @@ void visit_fields(Options& options, Visitor&& visit) {
               1e6});
   visit(options.min_particle_count,
         Field{"min-particles", "", "Fewest particles where their number adapts", 1, 1e6});
+  visit(options.global_particle_count,
+        Field{"global-particles", "",
+              "Particles drawn over the whole map where the start is not known", 1, 1e6});
   visit(options.adapt_particle_count,
         Field{"adapt-particles", "", "Choose the number of particles by KLD sampling (Fox 2003)"});
   visit(options.kld_error,
@@ -115,14 +120,16 @@ void visit_fields(Options& options, Visitor&& visit) {
         Field{"translation-noise", "m", "Deviation of the way of a step (motion thesis)", 0, 100});
   visit(options.position_noise_m_per_sqrt_s,
         Field{"position-noise", "m/sqrt(s)", "Drift of the odometry's position with time", 0, 100});
-  visit(options.position_noise_per_sqrt_m,
-        Field{"way-noise", "m/sqrt(m)", "Drift of the odometry's position with the way", 0, 100});
-  visit(options.direction_noise_rad,
-        Field{"direction-noise", "rad", "Error of the direction of travel", 0, 3.2});
+  visit(options.along_noise_m_per_sqrt_m,
+        Field{"along-noise", "m/sqrt(m)", "Drift of the odometry along the way", 0, 100});
+  visit(options.across_noise_m_per_sqrt_m,
+        Field{"across-noise", "m/sqrt(m)",
+              "Drift of the odometry across the way, as from a wrong direction of travel", 0, 100});
   visit(options.yaw_noise_rad_per_sqrt_s,
         Field{"yaw-noise", "rad/sqrt(s)", "Drift of the odometry's heading with time", 0, 10});
-  visit(options.yaw_noise_per_rad,
-        Field{"turn-noise", "", "Error of a turn, as a share of it", 0, 10});
+  visit(
+      options.turn_noise_rad_per_sqrt_rad,
+      Field{"turn-noise", "rad/sqrt(rad)", "Drift of the odometry's heading with turning", 0, 10});
   visit(options.hover_below_m,
         Field{"hover-below", "m", "A shorter step has no direction of travel", 0, 10});
   visit(options.min_update_interval_s,
@@ -131,7 +138,7 @@ void visit_fields(Options& options, Visitor&& visit) {
   visit(options.match, Field{"match", "", "Cost of a cell: wrong class, or distance to its class"});
   visit(options.truncation_m,
         Field{"truncation", "m", "Distance that costs as much as a missing class (match distance)",
-              0.01, 100});
+              0.01, 4});
   visit(options.alpha, Field{"alpha", "", "Weight of a class by its share of the map"});
   visit(options.unknown_cost,
         Field{"unknown-cost", "",
@@ -143,9 +150,14 @@ void visit_fields(Options& options, Visitor&& visit) {
   visit(options.temperature,
         Field{"temperature", "", "Mean cost that lowers the weight e-fold (likelihood tempered)",
               1e-6, 100});
+  visit(options.min_effective_fraction,
+        Field{"min-effective", "",
+              "A topview never leaves a smaller effective share of particles: it is trusted less "
+              "instead (likelihood tempered)",
+              0, 1});
   visit(options.full_evidence_area_m2,
-        Field{"full-evidence-area", "m^2", "A topview smaller than this says proportionally less",
-              0, 1e6});
+        Field{"full-evidence-area", "m^2",
+              "A smaller topview says proportionally less (likelihood tempered)", 0, 1e6});
   visit(options.evidence_spacing_m,
         Field{"evidence-spacing", "m",
               "After a shorter way the same errors are seen again, so the topview says less", 0,
@@ -170,10 +182,6 @@ void visit_fields(Options& options, Visitor&& visit) {
         Field{"blur-interval", "s", "Time over which one blur accrues; 0 is one blur a step", 0,
               3600});
 }
-
-/// Ranges of all fields, and that the least number of particles is not above the greatest. @errors
-/// kInvalidOptions.
-[[nodiscard]] Result<void> validate_localiser(const LocaliserOptions& options);
 
 /// Options of a named preset: "default", "thesis" (as published, with our reading of alpha and of
 /// "error"), "thesis-literal-alpha" (alpha_k as printed in 3.6) or "thesis-hard" (twice the blur,

@@ -2,6 +2,7 @@
 #include "core/mcl/measurement_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,14 +15,23 @@ namespace {
 constexpr std::size_t kChunk = 64;
 constexpr double kFullCost = 255.0;
 
-/// Cost of each map cell for a topview cell of class `id`.
-CostRaster build_cost_raster(const OverheadMap& map, ClassId id, const LocaliserOptions& options) {
-  const Raster<ClassId>& labels = map.labels;
-  const auto unknown = static_cast<std::uint8_t>(std::lround(options.unknown_cost * kFullCost));
-  std::optional<DistanceField> field;
-  if (options.match == MatchKind::kDistance) {
-    field = build_class_distance_field(map, id, options.truncation_m);
+/// What each code of a distance field costs: the distance over the truncation, at most everything.
+std::array<std::uint8_t, 256> costs_of_codes(double field_truncation_m, double truncation_m) {
+  std::array<std::uint8_t, 256> costs{};
+  for (std::size_t code = 0; code < costs.size(); ++code) {
+    const double cost = static_cast<double>(code) * field_truncation_m / truncation_m;
+    costs[code] = static_cast<std::uint8_t>(std::lround(std::min(kFullCost, cost)));
   }
+  return costs;
+}
+
+/// Cost of each map cell for a topview cell of class `id`.
+CostRaster build_cost_raster(const MapIndex& index, ClassId id, const LocaliserOptions& options) {
+  const Raster<ClassId>& labels = index.map().labels;
+  const auto unknown = static_cast<std::uint8_t>(std::lround(options.unknown_cost * kFullCost));
+  const DistanceField* const field =
+      options.match == MatchKind::kDistance ? &index.distance_field(id) : nullptr;
+  const auto cost_of_code = costs_of_codes(index.truncation_m(), options.truncation_m);
   CostRaster raster{labels.width(), labels.height(), {}};
   const auto stride = static_cast<std::size_t>(raster.stride());
   raster.values.assign(stride * static_cast<std::size_t>(labels.height() + 2) + 3, unknown);
@@ -32,8 +42,8 @@ CostRaster build_cost_raster(const OverheadMap& map, ClassId id, const Localiser
           std::uint8_t* const costs = raster.values.data() + (row + 1) * stride + 1;
           for (std::size_t column = 0; column < row_labels.size(); ++column) {
             const std::uint8_t mismatch =
-                field ? field->codes.row(static_cast<int>(row))[column]
-                      : static_cast<std::uint8_t>(row_labels[column] == id ? 0 : 255);
+                field != nullptr ? cost_of_code[field->codes.row(static_cast<int>(row))[column]]
+                                 : static_cast<std::uint8_t>(row_labels[column] == id ? 0 : 255);
             costs[column] =
                 row_labels[column] == kUnclassified ? std::min(mismatch, unknown) : mismatch;
           }
@@ -59,11 +69,16 @@ Result<MapMatcher> MapMatcher::create(std::shared_ptr<const MapIndex> index,
                 "map '{}': {} x {} cells, but at most {} on a side can be matched", map.name,
                 map.labels.width(), map.labels.height(), kMaxMapSide);
   }
+  if (options.match == MatchKind::kDistance && options.truncation_m > index->truncation_m()) {
+    return fail(ErrorCode::kInvalidOptions,
+                "--truncation: {} m is more than the {} m that distances on map '{}' reach",
+                options.truncation_m, index->truncation_m(), map.name);
+  }
   if (const auto usable = check_usable_for_localising(map); !usable) return forward_error(usable);
   MapMatcher matcher;
   matcher.alpha_ = importance_weights(index->statistics(), options.alpha);
   for (ClassId id = 0; id < kClassCount; ++id) {
-    if (matcher.alpha_[id] > 0.0) matcher.rasters_[id] = build_cost_raster(map, id, options);
+    if (matcher.alpha_[id] > 0.0) matcher.rasters_[id] = build_cost_raster(*index, id, options);
   }
   matcher.index_ = std::move(index);
   matcher.max_cells_per_class_ = options.max_cells_per_class;
@@ -115,32 +130,53 @@ std::vector<double> MapMatcher::mean_costs(const MatchCells& seen,
   return costs;
 }
 
+namespace {
+
+/// Weights times exp(-cost / scale), normalised; computed from the largest exponent, so that nothing underflows.
+std::vector<double> reweighted(const std::vector<double>& weight,
+                               const std::vector<double>& mean_costs,
+                               double scale) {
+  std::vector<double> result(weight.size());
+  double largest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < weight.size(); ++i) {
+    result[i] = std::log(weight[i]) - mean_costs[i] / scale;
+    largest = std::max(largest, result[i]);
+  }
+  NADIR_REQUIRE(std::isfinite(largest));
+  double sum = 0.0;
+  for (double& value : result) sum += value = std::exp(value - largest);
+  for (double& value : result) value /= sum;
+  return result;
+}
+
+double effective_fraction(const std::vector<double>& weight) {
+  double sum_of_squares = 0.0;
+  for (const double value : weight) sum_of_squares += value * value;
+  return 1.0 / (sum_of_squares * static_cast<double>(weight.size()));
+}
+
+}  // namespace
+
 void apply_likelihood(ParticleSet& particles,
                       const std::vector<double>& mean_costs,
                       double evidence,
                       const LocaliserOptions& options) {
   NADIR_REQUIRE(mean_costs.size() == particles.size() && !particles.empty());
-  const auto [best, worst] = std::minmax_element(mean_costs.begin(), mean_costs.end());
-  const double scale = options.likelihood == LikelihoodKind::kThesis
-                           ? options.gamma0 * *worst
-                           : options.temperature / std::max(evidence, 1e-12);
-  if (!(scale > 0.0)) return;  // every cost is 0: nothing to tell the particles apart
-  // exp(-(cost - best) / scale) is at most 1 and 1 for the best, so the sum can neither overflow
-  // nor vanish unless all prior weight lies on hopeless particles; then the largest exponent is
-  // taken out instead.
-  std::vector<double> log_weight(particles.size());
-  double largest = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    log_weight[i] = std::log(particles.weight[i]) - (mean_costs[i] - *best) / scale;
-    largest = std::max(largest, log_weight[i]);
+  if (options.likelihood == LikelihoodKind::kThesis) {
+    const double eta = options.gamma0 * *std::max_element(mean_costs.begin(), mean_costs.end());
+    if (eta > 0.0) particles.weight = reweighted(particles.weight, mean_costs, eta);
+    return;  // otherwise every cost is 0 and nothing tells the particles apart
   }
-  NADIR_REQUIRE(std::isfinite(largest));
-  double sum = 0.0;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    particles.weight[i] = std::exp(log_weight[i] - largest);
-    sum += particles.weight[i];
+  constexpr int kMostDoublings = 20;
+  const double least =
+      std::min(options.min_effective_fraction, effective_fraction(particles.weight));
+  double scale = options.temperature / std::max(evidence, 1e-12);
+  std::vector<double> weight = reweighted(particles.weight, mean_costs, scale);
+  for (int i = 0; i < kMostDoublings && effective_fraction(weight) < least; ++i) {
+    scale *= 2.0;
+    weight = reweighted(particles.weight, mean_costs, scale);
   }
-  for (double& weight : particles.weight) weight /= sum;
+  particles.weight = std::move(weight);
 }
 
 std::optional<double> agreement(const SemanticTopview& seen,

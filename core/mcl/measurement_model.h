@@ -61,12 +61,12 @@ class MapMatcher {
   InstructionSet set_ = InstructionSet::kPortable;
 };
 
-/// Multiplies weights by exp(log-likelihood) and normalises, in the log domain, so that nothing
-/// underflows.
+/// Multiplies weights by exp(log-likelihood) and normalises, in the log domain, so that nothing underflows.
 ///
-/// kThesis: log-likelihood = -cost / (gamma0 max cost) (Algorithm 3). kTempered: -evidence cost /
-/// temperature. Equal costs leave the weights as they are. @param evidence  in [0, 1]: how much of
-/// a full, fresh topview this one is.
+/// kThesis: log-likelihood = -cost / (gamma0 max cost) (Algorithm 3). kTempered: -evidence cost / temperature, where the
+/// temperature doubles until at least `min_effective_fraction` of the particles stays effective: one topview must not
+/// decide between thousands of hypotheses.
+/// Equal costs leave the weights as they are. @param evidence  in [0, 1]: how much of a full, fresh topview this one is.
 void apply_likelihood(ParticleSet& particles,
                       const std::vector<double>& mean_costs,
                       double evidence,

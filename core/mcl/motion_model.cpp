@@ -54,17 +54,14 @@ struct StepNoise {
 };
 
 StepNoise step_noise(const OdometryStep& odometry, const LocaliserOptions& options) {
-  const double way_m = odometry.way_m();
+  const auto squared = [](double value) { return value * value; };
+  const double way_m = odometry.way_m() > options.hover_below_m ? odometry.way_m() : 0.0;
   const double turn_rad = std::abs(odometry.before_from_after.yaw_rad);
-  const double drift_variance =
-      options.position_noise_m_per_sqrt_s * options.position_noise_m_per_sqrt_s *
-          odometry.elapsed_s +
-      options.position_noise_per_sqrt_m * options.position_noise_per_sqrt_m * way_m;
-  const bool has_direction = way_m > options.hover_below_m;
-  const double across_m = has_direction ? options.direction_noise_rad * way_m : 0.0;
-  return {std::sqrt(drift_variance), std::sqrt(drift_variance + across_m * across_m),
-          std::hypot(options.yaw_noise_rad_per_sqrt_s * std::sqrt(odometry.elapsed_s),
-                     options.yaw_noise_per_rad * turn_rad)};
+  const double drift_m2 = squared(options.position_noise_m_per_sqrt_s) * odometry.elapsed_s;
+  return {std::sqrt(drift_m2 + squared(options.along_noise_m_per_sqrt_m) * way_m),
+          std::sqrt(drift_m2 + squared(options.across_noise_m_per_sqrt_m) * way_m),
+          std::sqrt(squared(options.yaw_noise_rad_per_sqrt_s) * odometry.elapsed_s +
+                    squared(options.turn_noise_rad_per_sqrt_rad) * turn_rad)};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "core/geo/rigid2.h"
@@ -21,12 +22,13 @@ struct OdometryStep {
 
 /// Moves every particle by the odometry's step plus its own noise (thesis 3.5, step 2).
 ///
-/// kThesis: rot1, trans, rot2 each minus a Gaussian of fixed deviation (Thrun, Burgard & Fox 2005,
-/// table 5.6). rot1 is the direction of travel in the frame before the step: the thesis's listing
-/// leaves out "- theta", the book has it. kScaled: the step in the body frame plus Gaussians whose
-/// variance grows with elapsed time and way, so that halving the step halves the variance. A step
-/// shorter than `hover_below_m` has no direction, so none is invented. O(N), parallel; draws depend
-/// on (seed, step, particle) alone.
+/// kThesis: rot1, trans, rot2 each minus a Gaussian of fixed deviation (Thrun, Burgard & Fox 2005, table 5.6).
+/// rot1 is the direction of travel in the frame before the step: the thesis's listing leaves out "- theta", the
+/// book has it.
+/// kScaled: the step in the body frame plus Gaussians along and across the way and of yaw, whose variances grow
+/// with elapsed time, way and turn, so that halving the step halves the variance and the frame rate does not matter.
+/// A step shorter than `hover_below_m` has no direction, so none is invented.
+/// O(N), parallel; draws depend on (seed, step, particle) alone.
 void predict(ParticleSet& particles,
              const OdometryStep& odometry,
              const LocaliserOptions& options,

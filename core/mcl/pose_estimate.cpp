@@ -47,7 +47,8 @@ PoseMoments moments_of(const ParticleSet& particles, const std::vector<std::size
   // the most that yaw can have.
   constexpr double kUniformVariance = std::numbers::pi * std::numbers::pi / 3.0;
   const double length = std::min(1.0, std::hypot(cosine, sine) / total);
-  const double wrapped_normal = length > 0.0 ? -2.0 * std::log(length) : kUniformVariance;
+  const double wrapped_normal =
+      length > 0.0 ? std::max(0.0, -2.0 * std::log(length)) : kUniformVariance;
   const double sampled = moments.covariance(2, 2);
   moments.covariance(2, 2) = std::min(wrapped_normal, kUniformVariance);
   if (sampled > 0.0) {  // keep the correlations when the variance is replaced

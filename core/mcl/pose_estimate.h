@@ -25,7 +25,8 @@ struct PoseMode {
 /// What the filter says after a step.
 struct PoseEstimate {
   PoseMoments moments;
-  std::vector<PoseMode> modes;  ///< By falling mass; one where the posterior is one blob.
+  /// By falling mass; one where the posterior is one blob, none where no cluster holds a hundredth of the mass.
+  std::vector<PoseMode> modes;
 };
 
 /// @param particles  Not empty. Sums in index order, so the result does not depend on threads.

@@ -98,7 +98,7 @@ ParticleSet resample(const ParticleSet& particles,
   const auto most = static_cast<std::size_t>(options.particle_count);
   if (!options.adapt_particle_count) return survivors(particles, draw(most));
   const std::size_t bins = count_occupied_bins(particles, draw(particles.size()));
-  const auto least = static_cast<std::size_t>(options.min_particle_count);
+  const auto least = std::min(most, static_cast<std::size_t>(options.min_particle_count));
   return survivors(particles,
                    draw(std::clamp(kld_particle_count(bins, options.kld_error), least, most)));
 }

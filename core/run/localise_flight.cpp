@@ -3,6 +3,8 @@
 
 #include <chrono>
 #include <future>
+#include <limits>
+#include <system_error>
 
 #include "core/base/hash.h"
 #include "core/base/version.h"
@@ -74,7 +76,8 @@ Result<Prior> choose_prior(const LocaliseRequest& request,
   const auto start = truth ? truth->at(first.time_s) : std::nullopt;
   if (!start) {
     return fail(ErrorCode::kInvalidOptions,
-                "{}: holds no truth at its first frame, so a start must be given (or none: global)",
+                "{}: holds no truth at its first frame, so say where it starts (--prior E,N,YAW) "
+                "or that nobody knows (--global)",
                 flight.path.string());
   }
   return GaussianPrior{.mean_in_enu = planar(*start)};
@@ -102,21 +105,66 @@ Result<SemanticTopview> topview_of(const SemanticFrame& frame,
       Rigid3{levelling, Eigen::Vector3d::Zero()} * flight.body_from_camera;
   const Eigen::Isometry3d transform =
       Eigen::Translation3d(level_from_camera.translation_m) * level_from_camera.rotation;
-  // Depth is measured along the axis, range on the ground: a pixel within range is never deeper
-  // than the range is long.
-  auto cloud = build_semantic_cloud(frame.labels, frame.depth_m, *flight.camera, transform,
-                                    2.0 * options.max_range_m);
+  // No limit of depth here: the range is one on the ground, and the topview keeps it.
+  constexpr double kAnyDepthM = std::numeric_limits<float>::max();
+  auto cloud =
+      build_semantic_cloud(frame.labels, frame.depth_m, *flight.camera, transform, kAnyDepthM);
   if (!cloud) return forward_error(cloud);
   return build_semantic_topview(*cloud, metres_per_cell, options);
 }
 
+void add_pose(Hash& hash, const Rigid3& pose) {
+  hash.add(pose.translation_m.data(), 3 * sizeof(double));
+  hash.add(pose.rotation.coeffs().data(), 4 * sizeof(double));
+}
+
+/// Everything about a flight but its pixels, for which names and sizes of their files stand.
+std::string hash_of(const FlightDescription& flight) {
+  Hash hash;
+  if (flight.camera) {
+    const CameraModel& camera = *flight.camera;
+    hash.add_number(camera.width).add_number(camera.height);
+    hash.add_number(camera.focal_x_px).add_number(camera.focal_y_px);
+    hash.add_number(camera.centre_x_px).add_number(camera.centre_y_px);
+  }
+  add_pose(hash, flight.body_from_camera);
+  for (const FlightFrame& frame : flight.frames) {
+    hash.add_number(frame.time_s);
+    for (const auto& file : {frame.labels, frame.depth}) {
+      std::error_code missing;
+      if (!file) continue;
+      hash.add(file->filename().string()).add_number(std::filesystem::file_size(*file, missing));
+    }
+  }
+  for (const auto* trajectory : {&flight.odometry, &flight.truth}) {
+    if (!*trajectory) continue;
+    for (const TimedPose& timed : (*trajectory)->poses()) {
+      hash.add_number(timed.time_s);
+      add_pose(hash, timed.pose);
+    }
+  }
+  return hash.text();
+}
+
+/// The start as text, so that the run can be made again.
+std::string prior_text(const std::optional<Prior>& prior) {
+  if (!prior) return "truth of the first frame";
+  const auto* gaussian = std::get_if<GaussianPrior>(&*prior);
+  if (gaussian == nullptr) return "global";
+  return fmt::format("{} m east, {} m north, yaw {} rad; sigma {} m, {} rad",
+                     gaussian->mean_in_enu.x_m, gaussian->mean_in_enu.y_m,
+                     gaussian->mean_in_enu.yaw_rad, gaussian->position_sigma_m,
+                     gaussian->yaw_sigma_rad);
+}
+
 }  // namespace
 
-std::optional<Trajectory> truth_in_plane(const FlightDescription& flight,
-                                         const ProjectPlane& plane) {
+Result<std::optional<Trajectory>> truth_in_plane(const FlightDescription& flight,
+                                                 const ProjectPlane& plane) {
   if (!flight.truth || !flight.truth_origin) return flight.truth;
   const auto source = ProjectPlane::create(*flight.truth_origin);
-  if (!source || *source == plane) return flight.truth;
+  if (!source) return forward_error(source, flight.path.string());
+  if (*source == plane) return flight.truth;
   std::vector<TimedPose> poses = flight.truth->poses();
   for (TimedPose& timed : poses) {
     const Eigen::Vector2d position_in_source = timed.pose.translation_m.head<2>();
@@ -129,15 +177,16 @@ std::optional<Trajectory> truth_in_plane(const FlightDescription& flight,
         (Eigen::AngleAxisd(turn.radians(), Eigen::Vector3d::UnitZ()) * timed.pose.rotation)
             .normalized();
   }
-  auto moved = Trajectory::create(std::move(poses), flight.name);
-  return moved ? std::optional(std::move(*moved)) : std::nullopt;
+  auto moved = Trajectory::create(std::move(poses), flight.path.string() + ": truth on the map");
+  if (!moved) return forward_error(moved);
+  return std::optional(std::move(*moved));
 }
 
 RunHeader run_header(const FlightRecording& flight,
                      const OverheadMap& map,
                      const std::string& map_path,
                      const std::string& preset,
-                     const RunOptions& options) {
+                     const LocaliseRequest& request) {
   const FlightDescription& description = flight.description();
   RunHeader header;
   header.program_version = kVersion;
@@ -146,24 +195,23 @@ RunHeader run_header(const FlightRecording& flight,
   header.map = map.name;
   header.map_path = map_path;
   header.preset = preset;
-  header.seed = options.localiser.seed;
+  header.seed = request.options.localiser.seed;
   header.plane_latitude_deg = map.plane.origin().latitude_deg;
   header.plane_longitude_deg = map.plane.origin().longitude_deg;
   header.map_hash = Hash()
+                        .add_number(map.plane.origin().latitude_deg)
+                        .add_number(map.plane.origin().longitude_deg)
+                        .add(map.top_left_in_enu_m.data(), 2 * sizeof(double))
                         .add_number(map.metres_per_cell)
                         .add_number(map.labels.width())
                         .add(map.labels.data(), map.labels.size())
                         .text();
-  Hash flight_hash;
-  for (const FlightFrame& frame : description.frames) flight_hash.add_number(frame.time_s);
-  for (const auto& trajectory : {description.odometry, description.truth}) {
-    if (!trajectory) continue;
-    for (const TimedPose& timed : trajectory->poses()) {
-      flight_hash.add_number(timed.time_s).add(timed.pose.translation_m.data(), 3 * sizeof(double));
-    }
+  header.flight_hash = hash_of(description);
+  for (const OptionText& option : option_texts(request.options)) {
+    header.options[option.name] = option.value;
   }
-  header.flight_hash = flight_hash.text();
-  for (const OptionText& option : option_texts(options)) header.options[option.name] = option.value;
+  header.options["prior"] = prior_text(request.prior);
+  if (request.most_frames) header.options["frames"] = std::to_string(*request.most_frames);
   return header;
 }
 
@@ -181,11 +229,13 @@ Result<LocaliseSummary> localise_flight(const FlightRecording& flight,
                 description.path.string());
   }
   const double metres_per_cell = map->map().metres_per_cell;
-  const auto truth = truth_in_plane(description, map->map().plane);
+  const auto placed_truth = truth_in_plane(description, map->map().plane);
+  if (!placed_truth) return forward_error(placed_truth);
+  const std::optional<Trajectory>& truth = *placed_truth;
   const auto prior = choose_prior(request, description, truth, plan.frames.front());
   if (!prior) return forward_error(prior);
   auto localiser = Localiser::create(map, request.options.localiser, *prior);
-  if (!localiser) return forward_error(localiser, description.path.string());
+  if (!localiser) return forward_error(localiser);
   const auto start = start_of(*prior, truth, plan.frames.front().time_s);
   const Rigid2 enu_from_odom =
       start.value_or(Rigid2{}) * planar(plan.frames.front().odom_from_body).inverse();

@@ -53,11 +53,11 @@ struct LocaliseSummary {
                                    const OverheadMap& map,
                                    const std::string& map_path,
                                    const std::string& preset,
-                                   const RunOptions& options);
+                                   const LocaliseRequest& request);
 
-/// The truth of a flight in the map's project plane, where the flight knows in which plane it was
-/// given.
-[[nodiscard]] std::optional<Trajectory> truth_in_plane(const FlightDescription& flight,
-                                                       const ProjectPlane& plane);
+/// The truth of a flight in the map's project plane, where the flight knows in which plane it was given; nothing where
+/// it has none. @errors kInvalidOptions, kMalformed: an origin that is no place on Earth.
+[[nodiscard]] Result<std::optional<Trajectory>> truth_in_plane(const FlightDescription& flight,
+                                                               const ProjectPlane& plane);
 
 }  // namespace nadir

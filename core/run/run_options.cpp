@@ -14,35 +14,46 @@ Result<RunOptions> run_preset(std::string_view name) {
   return options;
 }
 
-Result<RunRecipe> read_run_recipe(const std::filesystem::path& path) {
-  const auto file = Settings::read(path);
-  if (!file) return forward_error(file);
-  for (const std::string& key : file->keys()) {
-    if (key == "preset" || key == "options") continue;
-    const std::string nearest = nearest_word(key, {"preset", "options"});
-    return fail(ErrorCode::kInvalidOptions, "{}: {} is not a key of a recipe{}", file->name(), key,
-                nearest.empty() ? std::string() : fmt::format(" (did you mean {}?)", nearest));
+namespace {
+
+Result<RunRecipe> recipe_from(const Settings& file) {
+  if (const auto known = file.refuse_unknown({"preset", "options"}); !known) {
+    return forward_error(known);
   }
-  const auto preset = file->text_or("preset", "default");
+  const auto preset = file.text_or("preset", "default");
   if (!preset) return forward_error(preset);
   auto options = run_preset(*preset);
-  if (!options) return forward_error(options, file->name());
+  if (!options) return forward_error(options, file.name());
   RunRecipe recipe{*preset, *options};
-  if (!file->has("options")) return recipe;
-  const auto table = file->table("options");
+  if (!file.has("options")) return recipe;
+  const auto table = file.table("options");
   if (!table) return forward_error(table);
   for (const std::string& key : table->keys()) {
     const auto value = table->scalar_as_text(key);
     if (!value) return forward_error(value);
     if (const auto set = set_option(recipe.options, key, *value); !set) {
-      return forward_error(set, file->name());
+      return forward_error(set, file.name());
     }
   }
   return recipe;
 }
 
+}  // namespace
+
+Result<RunRecipe> read_run_recipe(const std::filesystem::path& path) {
+  const auto file = Settings::read(path);
+  if (!file) return forward_error(file);
+  return recipe_from(*file);
+}
+
+Result<RunRecipe> parse_run_recipe(std::string_view text, const std::string& name) {
+  const auto file = Settings::parse(text, name);
+  if (!file) return forward_error(file);
+  return recipe_from(*file);
+}
+
 Result<void> validate_run(const RunOptions& options) {
-  if (auto localiser = validate_localiser(options.localiser); !localiser) return localiser;
+  if (auto localiser = validate(options.localiser); !localiser) return localiser;
   return validate(options.topview);
 }
 

@@ -32,13 +32,15 @@ void visit_fields(Options& options, Visitor&& visit) {
 [[nodiscard]] Result<RunOptions> run_preset(std::string_view name);
 
 /// A recipe: TOML with `preset = "..."` and, in a table `[options]`, any option by its name.
-/// @errors kNotFound, kMalformed, kInvalidOptions (unknown key: names it and the nearest known
+/// @errors kNotFound, kMalformed, kInvalidOptions (unknown option: names it and the nearest known
 /// one).
 struct RunRecipe {
   std::string preset;
   RunOptions options;
 };
 [[nodiscard]] Result<RunRecipe> read_run_recipe(const std::filesystem::path& path);
+/// `name` stands for the file in messages.
+[[nodiscard]] Result<RunRecipe> parse_run_recipe(std::string_view text, const std::string& name);
 
 /// Ranges of all fields and what holds between them. @errors kInvalidOptions.
 [[nodiscard]] Result<void> validate_run(const RunOptions& options);

@@ -35,7 +35,8 @@ struct Vote {
   ClassId label;
 };
 
-/// Votes per class of every cell in the rectangle that the points span.
+/// Votes per class of every cell that has any. A cell of the rectangle that the points span costs
+/// four bytes, an occupied one a counter a class, so that a wide range with few points stays small.
 class Ballot {
  public:
   explicit Ballot(const std::vector<Vote>& votes) {
@@ -43,11 +44,15 @@ class Ballot {
       forward_.include(vote.forward);
       left_.include(vote.left);
     }
-    counts_.resize(forward_.count() * left_.count() * kClasses);
+    box_of_cell_.assign(forward_.count() * left_.count(), kNoBox);
     for (const Vote& vote : votes) {
-      ++counts_[(forward_.offset(vote.forward) * left_.count() + left_.offset(vote.left)) *
-                    kClasses +
-                vote.label];
+      std::uint32_t& box =
+          box_of_cell_[forward_.offset(vote.forward) * left_.count() + left_.offset(vote.left)];
+      if (box == kNoBox) {
+        box = static_cast<std::uint32_t>(boxes_.size());
+        boxes_.emplace_back();
+      }
+      ++boxes_[box][vote.label];
     }
   }
 
@@ -55,22 +60,22 @@ class Ballot {
   [[nodiscard]] SemanticTopview decide(const std::array<double, kClasses>& vote_of_class,
                                        double min_votes) const {
     std::array<std::vector<TopviewCell>, kClasses> cells;
-    const std::uint32_t* count = counts_.data();
-    for (std::size_t i = 0; i < forward_.count(); ++i) {
-      for (std::size_t j = 0; j < left_.count(); ++j, count += kClasses) {
-        std::size_t winner = 0;
-        double most = 0.0;
-        for (std::size_t k = 0; k < kClasses; ++k) {
-          const double votes = count[k] * vote_of_class[k];
-          if (votes > most) {
-            most = votes;
-            winner = k;
-          }
+    for (std::size_t i = 0; i < box_of_cell_.size(); ++i) {
+      if (box_of_cell_[i] == kNoBox) continue;
+      const Box& box = boxes_[box_of_cell_[i]];
+      std::size_t winner = 0;
+      double most = 0.0;
+      for (std::size_t k = 0; k < kClasses; ++k) {
+        const double votes = box[k] * vote_of_class[k];
+        if (votes > most) {
+          most = votes;
+          winner = k;
         }
-        if (most <= 0.0 || most < min_votes) continue;
-        cells[winner].push_back({static_cast<std::int16_t>(forward_.first + static_cast<int>(i)),
-                                 static_cast<std::int16_t>(left_.first + static_cast<int>(j))});
       }
+      if (most <= 0.0 || most < min_votes) continue;
+      cells[winner].push_back(
+          {static_cast<std::int16_t>(forward_.first + static_cast<int>(i / left_.count())),
+           static_cast<std::int16_t>(left_.first + static_cast<int>(i % left_.count()))});
     }
     SemanticTopview topview;
     for (std::size_t k = 0; k < kClasses; ++k) {
@@ -82,8 +87,11 @@ class Ballot {
   }
 
  private:
+  using Box = std::array<std::uint32_t, kClasses>;
+  static constexpr std::uint32_t kNoBox = std::numeric_limits<std::uint32_t>::max();
   CellRange forward_, left_;
-  std::vector<std::uint32_t> counts_;
+  std::vector<std::uint32_t> box_of_cell_;
+  std::vector<Box> boxes_;
 };
 
 std::array<double, kClasses> votes_of_classes(const TopviewOptions& options) {
@@ -101,7 +109,7 @@ Result<SemanticTopview> build_semantic_topview(const SemanticCloud& cloud,
                                                const TopviewOptions& options) {
   if (const auto valid = validate(options); !valid) return forward_error(valid);
   NADIR_REQUIRE(cloud.points_in_level_m.size() == cloud.labels.size());
-  if (!(metres_per_cell > 0.0) || options.max_range_m / metres_per_cell > 10'000.0) {
+  if (!(metres_per_cell > 0.0) || options.max_range_m / metres_per_cell > kMaxTopviewReachCells) {
     return fail(ErrorCode::kInvalidOptions, "topview: {} m per cell does not fit a range of {} m",
                 metres_per_cell, options.max_range_m);
   }

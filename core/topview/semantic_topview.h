@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,6 +22,9 @@ struct TopviewCell {
   std::int16_t left = 0;
   friend bool operator==(const TopviewCell&, const TopviewCell&) = default;
 };
+
+/// Cells between the body and the farthest cell of a topview, at most.
+inline constexpr int kMaxTopviewReachCells = 4'000;
 
 /// The ground as the vehicle sees it, from above: occupied cells grouped by class (thesis 3.4: K
 /// point sets and their union).

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/staged_output.h"
+#include "core/flight/flight_writer.h"
 #include "core/map/overhead_map_file.h"
 #include "core/run/run_file.h"
 #include "tests/app/program.h"
@@ -138,6 +139,8 @@ TEST_F(LocaliseCommand, RefusesOptionsThatMakeNoSense) {
   expect_refused(localise({"--particles", "0"}), "--particles: 0 is not in [1, 1000000]");
   expect_refused(localise({"--particles", "1000000000"}), "--particles");
   expect_refused(localise({"--temperature", "nan"}), "--temperature");
+  EXPECT_EQ(run_program(localise({"--frames", "-2"})).status, 2);
+  EXPECT_EQ(run_program(localise({"--particles", "50", "--frames", "3"})).status, 0);
   expect_refused(localise({"--preset", "thesys"}), "did you mean thesis?");
   expect_refused(localise({"--prior", "1,nan,2"}), "--prior: '1,nan,2' is not 3 numbers");
   expect_refused(localise({"--prior", "-500,0,0", "--out", path("refused.nadir")}),
@@ -230,15 +233,30 @@ TEST_F(DamagedFlight, IsRefusedWhereTimeGoesBackOrAPoseIsNotANumber) {
 }
 
 TEST_F(DamagedFlight, IsRefusedWhereNoTopviewSaysAnything) {
-  fs::path last;
-  for (const auto& entry :
-       fs::directory_iterator(path("damaged") + "/depth")) {  // all depth is "none"
-    last = entry.path();
-    fs::copy_file(some_file("labels"), last, fs::copy_options::overwrite_existing);
+  SemanticFrame nothing;  // a frame without any depth
+  nothing.labels = Raster<ClassId>(160, 120, kRoad);
+  nothing.depth_m = Raster<float>(160, 120, 0.0F);
+  const auto encoded = encode_frame(nothing).value();
+  const std::string blank(encoded.depth_png.begin(), encoded.depth_png.end());
+  for (const auto& entry : fs::directory_iterator(path("damaged") + "/depth")) {
+    ASSERT_TRUE(write_text_file(entry.path(), blank).has_value());
   }
   const auto refused = run_program(localise_damaged());
   EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.err, HasSubstr("damaged"));
+  EXPECT_THAT(refused.err, HasSubstr("nothing was localised"));
+  EXPECT_FALSE(fs::exists(path("damaged.nadir")));
+}
+
+TEST_F(DamagedFlight, LeavesAnEarlierRunAsItWasWhenTheNewOneFails) {
+  ASSERT_EQ(run_program(localise_damaged()).status, 0);
+  const std::string before = run_program({"evaluate", path("damaged.nadir"), "--json"}).out;
+  fs::remove(some_file("depth"));
+  const auto refused = run_program(localise_damaged());
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(run_program({"evaluate", path("damaged.nadir"), "--json"}).out, before);
+  fs::remove(path("damaged.nadir"));
+  EXPECT_EQ(run_program(localise_damaged()).status, 1);
+  EXPECT_FALSE(fs::exists(path("damaged.nadir")));
 }
 
 }  // namespace

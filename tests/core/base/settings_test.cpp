@@ -166,6 +166,18 @@ TEST(TomlQuoted, ReadsBackAsTheSameText) {
   }
 }
 
+TEST(Settings, RefusesKeysThatNobodyKnowsAndNamesTheNearest) {
+  const auto settings = Settings::parse("speed = 1\n[part]\nsizee = 2\nqqqqqqqq = 3\n", "a.toml");
+  ASSERT_TRUE(settings);
+  EXPECT_TRUE(settings->refuse_unknown({"speed", "part"}));
+  const auto refused = settings->table("part")->refuse_unknown({"size", "qqqqqqqq"});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kMalformed);
+  EXPECT_EQ(refused.error().message, "a.toml: part: sizee is no known key (did you mean size?)");
+  EXPECT_EQ(settings->table("part")->refuse_unknown({"sizee"}).error().message,
+            "a.toml: part: qqqqqqqq is no known key");
+}
+
 TEST(NearestWord, FindsTheWordThatWasMeant) {
   const std::vector<std::string> known = {"localise", "evaluate", "simulate", "map"};
   EXPECT_EQ(nearest_word("localize", known), "localise");

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <fstream>
 
@@ -249,6 +250,17 @@ TEST(ReadTextFile, EachFaultNamesTheFile) {
   EXPECT_EQ(error_code(large), ErrorCode::kUnsupported);
   EXPECT_THAT(error_text(large), HasSubstr("large: is larger than 1000 bytes"));
   EXPECT_TRUE(read_text_file(folder.path() / "large", 1001));
+}
+
+TEST(StagedOutput, LeavesAFolderAloneThatHoldsMoreThanItsOwnEntriesAndNamesIt) {
+  const ScratchFolder folder;
+  folder.file("flight/flight.toml", "old");
+  folder.file("flight/notes.txt", "precious");
+  static constexpr std::array<std::string_view, 2> kEntries = {"flight.toml", "labels"};
+  EXPECT_THAT(error_text(StagedOutput::folder(folder.path() / "flight", "flight.toml", kEntries)),
+              testing::HasSubstr("holds notes.txt"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "flight" / "notes.txt"));
+  EXPECT_TRUE(StagedOutput::folder(folder.path() / "flight", "flight.toml").has_value());
 }
 
 }  // namespace

@@ -78,16 +78,15 @@ TEST(Localiser, FollowsTheCircleWithTheThesisPresetToo) {
 }
 
 TEST(Localiser, FindsItselfOnTheWholeMapWithoutAPrior) {
-  const CircleDrive drive(0.1);  // 40 m x 40 m
+  const CircleDrive drive;  // 100 m x 100 m
   LocaliserOptions options;
-  options.particle_count = 60'000;
-  const auto truth = [](int step) { return Rigid2{12.0 + 0.5 * step, 20.0, 0.0}; };
+  const auto truth = [](int step) { return Rigid2{32.0 + 0.5 * step, 40.0, 0.0}; };
   auto localiser = Localiser::create(drive.index(), options, GlobalPrior{}).value();
   LocaliserUpdate update;
   for (int step = 0; step < 25; ++step) {
     const Rigid2 motion = step == 0 ? Rigid2{} : Rigid2{0.5, 0.0, 0.0};
     update = localiser.update({motion, step == 0 ? 0.0 : 0.25},
-                              perfect_topview(drive.index()->map(), truth(step), 8.0));
+                              perfect_topview(drive.index()->map(), truth(step), 12.0));
   }
   EXPECT_LT(distance_m(update.estimate.moments.mean, truth(24)), 0.5);
   EXPECT_GT(update.estimate.modes.at(0).mass, 0.9);
@@ -160,10 +159,6 @@ TEST(Localiser, RefusesParticleCountsThatCannotBe) {
   options.particle_count = 1'000'000'000;
   EXPECT_THAT(Localiser::create(drive.index(), options, GlobalPrior{}).error().message,
               HasSubstr("--particles"));
-  options.particle_count = 100;
-  options.min_particle_count = 200;
-  EXPECT_THAT(Localiser::create(drive.index(), options, GlobalPrior{}).error().message,
-              HasSubstr("more than --particles 100"));
 }
 
 TEST(Localiser, RefusesNotANumberInOptionsAndPrior) {
@@ -228,7 +223,7 @@ TEST(LocaliserPresets, HoldTheParametersOfTheThesis) {
   EXPECT_EQ(localiser_preset("thesis-literal-alpha")->alpha, ImportanceReading::kShare);
   EXPECT_NEAR(std::pow(localiser_preset("thesis-hard")->blur_yaw_rad, 2), 0.2, 1e-12);
   for (const std::string& name : localiser_preset_names()) {
-    EXPECT_TRUE(validate_localiser(localiser_preset(name).value()).has_value()) << name;
+    EXPECT_TRUE(validate(localiser_preset(name).value()).has_value()) << name;
   }
   EXPECT_EQ(localiser_preset("thesys").error().message,
             "preset 'thesys': does not exist (did you mean thesis?)");

@@ -164,11 +164,32 @@ TEST(ApplyLikelihood, SurvivesCostsThatWouldUnderflow) {
   EXPECT_EQ(particles.weight[1], 1.0);
 }
 
+TEST(ApplyLikelihood, NeverLeavesFewerEffectiveParticlesThanAsked) {
+  ParticleSet particles = equal_particles(std::vector<Rigid2>(1000));
+  std::vector<double> costs(1000, 0.6);
+  for (std::size_t i = 0; i < costs.size(); ++i) costs[i] -= 0.0005 * static_cast<double>(i);
+  LocaliserOptions options;
+  options.temperature = 1e-5;
+  options.min_effective_fraction = 0.0;
+  ParticleSet decided = particles;
+  apply_likelihood(decided, costs, 1.0, options);
+  EXPECT_LT(effective_sample_size(decided), 2.0);
+  options.min_effective_fraction = 0.05;
+  apply_likelihood(particles, costs, 1.0, options);
+  EXPECT_GE(effective_sample_size(particles), 50.0);
+  EXPECT_LT(effective_sample_size(particles), 200.0);
+  EXPECT_EQ(
+      std::max_element(particles.weight.begin(), particles.weight.end()) - particles.weight.begin(),
+      999);
+}
+
 TEST(ApplyLikelihood, SaysLessWithLessEvidence) {
+  LocaliserOptions options;
+  options.min_effective_fraction = 0.0;
   ParticleSet full = equal_particles({{}, {}});
   ParticleSet weak = full;
-  apply_likelihood(full, {0.1, 0.12}, 1.0, {});
-  apply_likelihood(weak, {0.1, 0.12}, 0.25, {});
+  apply_likelihood(full, {0.1, 0.12}, 1.0, options);
+  apply_likelihood(weak, {0.1, 0.12}, 0.25, options);
   EXPECT_GT(full.weight[0], weak.weight[0]);
   EXPECT_GT(weak.weight[0], 0.5);
   EXPECT_NEAR(std::log(full.weight[0] / full.weight[1]),

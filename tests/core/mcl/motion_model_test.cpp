@@ -24,8 +24,9 @@ LocaliserOptions without_noise(MotionKind kind) {
   LocaliserOptions options;
   options.motion = kind;
   options.rotation_noise_rad = options.translation_noise_m = 0.0;
-  options.position_noise_m_per_sqrt_s = options.position_noise_per_sqrt_m = 0.0;
-  options.direction_noise_rad = options.yaw_noise_rad_per_sqrt_s = options.yaw_noise_per_rad = 0.0;
+  options.position_noise_m_per_sqrt_s = options.along_noise_m_per_sqrt_m = 0.0;
+  options.across_noise_m_per_sqrt_m = options.yaw_noise_rad_per_sqrt_s = 0.0;
+  options.turn_noise_rad_per_sqrt_rad = 0.0;
   return options;
 }
 
@@ -60,24 +61,29 @@ TEST(MotionModel, HasTheThesisSpreadOfTurnGoTurn) {
 }
 
 TEST(MotionModel, SpreadsTheSameInOneStepAndInTenTenths) {
-  LocaliserOptions options = without_noise(MotionKind::kScaled);
+  LocaliserOptions options;  // every noise is on
   options.position_noise_m_per_sqrt_s = 0.5;
-  options.position_noise_per_sqrt_m = 0.2;
-  options.yaw_noise_rad_per_sqrt_s = 0.05;
+  options.along_noise_m_per_sqrt_m = 0.2;
+  options.across_noise_m_per_sqrt_m = 0.4;
+  options.yaw_noise_rad_per_sqrt_s =
+      0.001;  // so small that where ten steps lead does not blur where one leads
+  options.turn_noise_rad_per_sqrt_rad = 0.01;
   ParticleSet once = copies(20'000, {});
-  predict(once, {{4.0, 0.0, 0.0}, 1.0}, options, 1);
+  predict(once, {{4.0, 0.0, 0.02}, 1.0}, options, 1);
   ParticleSet often = copies(20'000, {});
-  for (std::uint32_t i = 0; i < 10; ++i) predict(often, {{0.4, 0.0, 0.0}, 0.1}, options, i + 1);
+  for (std::uint32_t i = 0; i < 10; ++i) predict(often, {{0.4, 0.0, 0.002}, 0.1}, options, i + 1);
   const PoseMoments one = pose_moments(once);
   const PoseMoments ten = pose_moments(often);
-  EXPECT_NEAR(std::sqrt(ten.covariance(0, 0) / one.covariance(0, 0)), 1.0, 0.03);
-  EXPECT_NEAR(std::sqrt(ten.covariance(2, 2) / one.covariance(2, 2)), 1.0, 0.03);
+  for (const int i : {0, 1, 2}) {
+    EXPECT_NEAR(std::sqrt(ten.covariance(i, i) / one.covariance(i, i)), 1.0, 0.03) << i;
+  }
   EXPECT_NEAR(std::sqrt(one.covariance(0, 0)), std::sqrt(0.25 + 0.04 * 4.0), 0.02);
+  EXPECT_NEAR(std::sqrt(one.covariance(1, 1)), std::sqrt(0.25 + 0.16 * 4.0), 0.02);
 }
 
 TEST(MotionModel, InventsNoHeadingForAHoveringVehicle) {
   LocaliserOptions options = without_noise(MotionKind::kScaled);
-  options.direction_noise_rad = 0.5;
+  options.across_noise_m_per_sqrt_m = 0.5;
   ParticleSet particles = copies(100, {1.0, 2.0, 0.3});
   predict(particles, {{0.001, -0.002, 0.0}, 0.0}, options, 1);
   const PoseMoments moments = pose_moments(particles);

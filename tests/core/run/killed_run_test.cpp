@@ -192,6 +192,22 @@ TEST(KilledRun, CanBeReplacedByANewOne) {
   EXPECT_EQ(check_three_steps(path), 0) << "the old journal does not reach into the new run";
 }
 
+TEST(RunWriter, RefusesAFileThatAnotherWriterIsAtWorkOn) {
+  const ScratchFolder folder;
+  const fs::path path = folder.path() / "R.nadir";
+  {
+    auto writer = RunWriter::create(path, example_header()).value();
+    ASSERT_TRUE(writer.write(example_step(0)));
+    EXPECT_THAT(error_text(RunWriter::create(path, {})),
+                HasSubstr("R.nadir: is being written by another run"));
+    EXPECT_EQ(in_child([&] { return RunWriter::create(path, {}) ? 1 : 0; }), 0);
+    EXPECT_EQ(RunReader::open(path)->step_count(), 1) << "readers are welcome";
+    ASSERT_TRUE(writer.write(example_step(1))) << "and the first one goes on";
+    EXPECT_EQ(RunReader::open(path)->step_count(), 2);
+  }
+  EXPECT_TRUE(RunWriter::create(path, example_header())) << "it is done now";
+}
+
 TEST(RunWriter, RefusesAFolderThatMayNotBeWritten) {
   const ScratchFolder folder;
   const fs::path kept = folder.path() / "archive";

@@ -190,7 +190,7 @@ TEST(TruthInPlane, MovesAPoseToThePlaneOfAnotherOrigin) {
   const auto plane = ProjectPlane::create({48.99, 8.40}).value();
   const auto source = ProjectPlane::create(*description.truth_origin).value();
   const Rigid2 before = planar(description.truth->poses().front().pose);
-  const Rigid2 after = planar(truth_in_plane(description, plane)->poses().front().pose);
+  const Rigid2 after = planar(truth_in_plane(description, plane).value()->poses().front().pose);
   const Geodetic place = source.geodetic_from_enu(before.translation_m());
   EXPECT_NEAR((plane.enu_from_geodetic(place) - after.translation_m()).norm(), 0.0, 1e-6);
   // The direction of travel must be the same on the ground: compare with a point a metre ahead,

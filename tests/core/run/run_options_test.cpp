@@ -34,7 +34,7 @@ TEST(RunRecipe, IsTheDefaultPresetWhenItIsEmpty) { EXPECT_EQ(fault(""), "none");
 
 TEST(RunRecipe, NamesAnUnknownKeyAndTheNearestKnownOne) {
   EXPECT_THAT(fault("presset = \"thesis\"\n"),
-              HasSubstr("presset is not a key of a recipe (did you mean preset?)"));
+              HasSubstr("presset is no known key (did you mean preset?)"));
   EXPECT_THAT(fault("[options]\nmin-vote = 5\n"), HasSubstr("did you mean min-votes?"));
   EXPECT_THAT(fault("preset = \"thesi\"\n"), HasSubstr("did you mean thesis?"));
 }
