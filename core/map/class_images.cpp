@@ -8,6 +8,8 @@
 #include <charconv>
 #include <cstdlib>
 
+#include "core/map/crs.h"
+
 namespace nadir {
 namespace {
 
@@ -65,77 +67,151 @@ int position_in_painting_order(ClassId id) {
   return static_cast<int>(found - kPaintingOrder.begin());
 }
 
-/// Brightness of each pixel in [0, 255], whatever the number of bits.
-Result<Raster<std::uint8_t>> read_mask(GDALDataset& dataset,
-                                       const std::string& name,
-                                       const GdalMessages& messages) {
-  auto mask = read_ids(dataset, name, messages);
-  if (!mask) return mask;
-  GDALRasterBand& band = *dataset.GetRasterBand(1);
-  const GDALColorTable* table = band.GetColorTable();
-  const char* bits_text = band.GetMetadataItem("NBITS", "IMAGE_STRUCTURE");
-  const int bits = bits_text != nullptr ? std::atoi(bits_text) : 8;  // NOLINT(cert-err34-c)
-  std::array<std::uint8_t, 256> brightness{};
-  for (int value = 0; value < 256; ++value) {
-    int level = value;
-    if (table != nullptr) {
-      GDALColorEntry entry{};
-      table->GetColorEntryAsRGB(value, &entry);
-      level = (entry.c1 + entry.c2 + entry.c3) / 3;
-    } else if (bits >= 1 && bits < 8) {
-      level = std::min(255, value * 255 / ((1 << bits) - 1));
-    }
-    brightness.at(static_cast<std::size_t>(value)) = static_cast<std::uint8_t>(level);
+/// How the values of an image become brightness in [0, 255].
+class Brightness {
+ public:
+  explicit Brightness(GDALRasterBand& band) : table_(band.GetColorTable()) {
+    const char* bits = band.GetMetadataItem("NBITS", "IMAGE_STRUCTURE");
+    const int type_bits = GDALGetDataTypeSizeBits(band.GetRasterDataType());
+    const int known_bits = bits != nullptr ? std::atoi(bits) : type_bits;  // NOLINT(cert-err34-c)
+    brightest_ = (1 << std::clamp(known_bits, 1, type_bits)) - 1;
   }
-  for (std::uint8_t& value : mask->values()) value = brightness[value];
-  return mask;
+
+  [[nodiscard]] int of(std::int32_t value) const {
+    if (table_ == nullptr) return std::clamp(value, 0, brightest_) * 255 / brightest_;
+    GDALColorEntry entry{};
+    table_->GetColorEntryAsRGB(value, &entry);
+    return (entry.c1 + entry.c2 + entry.c3) / 3;
+  }
+
+ private:
+  const GDALColorTable* table_;
+  int brightest_ = 255;
+};
+
+Result<void> check_mask(GDALDataset& dataset, const std::string& name) {
+  if (dataset.GetRasterCount() != 1) {
+    return fail(ErrorCode::kUnsupported,
+                "{}: a class image needs one channel, bright or dark, this has {}", name,
+                dataset.GetRasterCount());
+  }
+  const GDALDataType type = dataset.GetRasterBand(1)->GetRasterDataType();
+  if (type != GDT_Byte && type != GDT_UInt16) {
+    return fail(ErrorCode::kUnsupported, "{}: a class image needs 8 or 16 bits, this has {}", name,
+                GDALGetDataTypeName(type));
+  }
+  return {};
 }
 
-/// Paints one class. @returns how many cells belong to it. @errors kMalformed: another size than
-/// the images before.
-Result<std::int64_t> paint(const ClassImage& image,
-                           const ImportOptions& options,
-                           SourceLabels& source,
-                           const std::string& first_name) {
-  const GdalMessages messages;
-  const std::string name = image.path.string();
-  const auto dataset = open_raster(image.path, messages);
-  if (!dataset) return forward_error(dataset);
-  const auto mask = read_mask(**dataset, name, messages);
-  if (!mask) return forward_error(mask);
-  if (source.labels.empty()) {
-    source.labels = Raster<ClassId>(mask->width(), mask->height(), kUnclassified);
-    const auto placement = placement_of(**dataset, options.crs, name, messages);
-    if (!placement) return forward_error(placement);
-    source.placement = *placement;
+/// Whether two rasters of one size lie on one another, to a hundredth of a pixel.
+bool are_same(const Placement& a, const Placement& b) {
+  const double tolerance = 0.01 * a.crs_from_pixel.pixel_size().minCoeff();
+  for (const double column : {0.0, static_cast<double>(a.width)}) {
+    for (const double row : {0.0, static_cast<double>(a.height)}) {
+      const Eigen::Vector2d corner(column, row);
+      if (!((a.crs_from_pixel * corner - b.crs_from_pixel * corner).norm() <= tolerance)) {
+        return false;
+      }
+    }
   }
-  if (mask->width() != source.labels.width() || mask->height() != source.labels.height()) {
-    return fail(ErrorCode::kMalformed, "{}: is {} x {} pixels, but {} is {} x {}", name,
-                mask->width(), mask->height(), first_name, source.labels.width(),
-                source.labels.height());
-  }
-  std::int64_t count = 0;
-  for (std::size_t i = 0; i < mask->size(); ++i) {
-    const int value = mask->values()[i];
-    // Smoothed edges: nearer to the inside value than to its opposite.
-    if (std::abs(value - options.inside_value) >= 128) continue;
-    source.labels.values()[i] = image.id;
-    ++count;
-  }
-  return count;
+  const OGRSpatialReference crs = crs_from_wkt(a.crs_wkt);
+  return crs_from_wkt(b.crs_wkt).IsSame(&crs) != FALSE;
 }
+
+/// Painting of class images onto one another.
+class Painter {
+ public:
+  explicit Painter(const ImportOptions& options) : options_(options) {}
+
+  /// @returns how many cells belong to the class. @errors kMalformed: another size or place than
+  /// the images before, kUnsupported, those of open_raster.
+  Result<std::int64_t> paint(const ClassImage& image) {
+    const GdalMessages messages;
+    const std::string name = image.path.string();
+    const auto dataset = open_raster(image.path, messages);
+    if (!dataset) return forward_error(dataset);
+    if (const auto checked = check_mask(**dataset, name); !checked) return forward_error(checked);
+    if (const auto checked = take_size(**dataset, name); !checked) return forward_error(checked);
+    auto placement = placement_of(**dataset, options_.crs, name, messages);
+    if (!placement) return forward_error(placement);
+    if (const auto checked = take_place(*placement, name); !checked) return forward_error(checked);
+    return paint_cells(**dataset, image.id, name, messages);
+  }
+
+  [[nodiscard]] SourceLabels take(std::vector<std::string> notices) {
+    return {std::move(labels_), std::move(placement_), std::move(notices)};
+  }
+
+ private:
+  Result<void> take_size(GDALDataset& dataset, const std::string& name) {
+    const int width = dataset.GetRasterXSize();
+    const int height = dataset.GetRasterYSize();
+    if (labels_.empty()) {
+      labels_ = Raster<ClassId>(width, height, kUnclassified);
+      sized_by_ = name;
+    }
+    if (width == labels_.width() && height == labels_.height()) return {};
+    return fail(ErrorCode::kMalformed, "{}: is {} x {} pixels, but {} is {} x {}", name, width,
+                height, sized_by_, labels_.width(), labels_.height());
+  }
+
+  /// One image with a place is enough for all.
+  Result<void> take_place(const std::optional<Placement>& placement, const std::string& name) {
+    if (!placement) return {};
+    if (!placement_) {
+      placement_ = placement;
+      placed_by_ = name;
+    }
+    if (are_same(*placement_, *placement)) return {};
+    return fail(ErrorCode::kMalformed, "{}: does not lie where {} lies", name, placed_by_);
+  }
+
+  Result<std::int64_t> paint_cells(GDALDataset& dataset,
+                                   ClassId id,
+                                   const std::string& name,
+                                   const GdalMessages& messages) {
+    const Brightness brightness(*dataset.GetRasterBand(1));
+    const std::optional<double> no_data = no_data_of(dataset);
+    const int inside = options_.inside_value.value_or(255);
+    std::int64_t count = 0;
+    const auto done = read_rows(dataset, name, messages,
+                                [&](int row, std::span<const std::int32_t> values) -> Result<void> {
+                                  ClassId* cell = labels_.row(row).data();
+                                  for (const std::int32_t value : values) {
+                                    // Smoothed edges: nearer to the inside value than to its
+                                    // opposite. What is transparent is outside.
+                                    const bool is_inside =
+                                        std::abs(brightness.of(value) - inside) < 128 &&
+                                        !(no_data && value == *no_data);
+                                    if (is_inside) {
+                                      *cell = id;
+                                      ++count;
+                                    }
+                                    ++cell;
+                                  }
+                                  return {};
+                                });
+    if (!done) return forward_error(done);
+    return count;
+  }
+
+  const ImportOptions& options_;
+  Raster<ClassId> labels_;
+  std::optional<Placement> placement_;
+  std::string sized_by_, placed_by_;
+};
 
 }  // namespace
 
 Result<SourceLabels> read_class_images(const fs::path& folder, const ImportOptions& options) {
   const auto paths = sorted_pngs(folder);
   if (!paths) return forward_error(paths);
-  SourceLabels source;
+  std::vector<std::string> notices;
   std::vector<ClassImage> images;
   for (const fs::path& path : *paths) {
     const std::optional<ClassId> id = class_of(path, options.remap);
     if (!id || *id == kUnclassified) {
-      source.notices.push_back(
+      notices.push_back(
           fmt::format("{} stands for no class and is left out", path.filename().string()));
     } else {
       images.push_back({path, *id});
@@ -149,18 +225,23 @@ Result<SourceLabels> read_class_images(const fs::path& folder, const ImportOptio
   std::stable_sort(images.begin(), images.end(), [](const ClassImage& a, const ClassImage& b) {
     return position_in_painting_order(a.id) < position_in_painting_order(b.id);
   });
+  Painter painter(options);
   for (const ClassImage& image : images) {
-    const auto count = paint(image, options, source, images.front().path.string());
+    const auto count = painter.paint(image);
     if (!count) return forward_error(count);
     if (*count == 0) {
-      source.notices.push_back(
+      notices.push_back(
           fmt::format("{} holds no cell of its class", image.path.filename().string()));
     }
   }
-  return source;
+  return painter.take(std::move(notices));
 }
 
 Result<SourceLabels> read_label_image(const fs::path& path, const ImportOptions& options) {
+  if (options.inside_value) {
+    return fail(ErrorCode::kInvalidOptions, "--inside: {} is no folder of class images",
+                path.string());
+  }
   const GdalMessages messages;
   const std::string name = path.string();
   const auto dataset = open_raster(path, messages);

@@ -51,11 +51,8 @@ Result<ClassRemap> ClassRemap::parse(std::string_view text, const std::string& n
 
 Result<ClassRemap> ClassRemap::from_settings(const Settings& settings) {
   ClassRemap remap(settings.name());
-  for (const std::string& key : settings.keys()) {
-    if (key != "unknown" && key != "classes" && key != "ids") {
-      return fail(ErrorCode::kMalformed, "{}: {} is neither unknown nor [classes] nor [ids]",
-                  settings.name(), key);
-    }
+  if (const auto known = settings.refuse_unknown({"unknown", "classes", "ids"}); !known) {
+    return forward_error(known);
   }
   if (settings.has("unknown")) {
     const auto unknown = target_class(settings, "unknown");

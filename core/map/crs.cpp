@@ -17,6 +17,13 @@ std::string wkt_of(const OGRSpatialReference& crs) {
   return wkt;
 }
 
+OGRSpatialReference crs_from_wkt(const std::string& wkt) {
+  OGRSpatialReference crs;
+  crs.importFromWkt(wkt.c_str());
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return crs;
+}
+
 Result<OGRSpatialReference> crs_from_text(const std::string& text, const GdalMessages& messages) {
   OGRSpatialReference crs;
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);

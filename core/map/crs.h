@@ -18,6 +18,8 @@ namespace nadir {
 /// because swapped coordinates do not fail, they lie.
 
 [[nodiscard]] std::string wkt_of(const OGRSpatialReference& crs);
+/// From what wkt_of or ProjectPlane::wkt gave; empty where the text is none.
+[[nodiscard]] OGRSpatialReference crs_from_wkt(const std::string& wkt);
 /// From "EPSG:25832", WKT or a PROJ string; never from the network or a file. @errors
 /// kInvalidOptions.
 [[nodiscard]] Result<OGRSpatialReference> crs_from_text(const std::string& text,

@@ -32,24 +32,62 @@ tl::unexpected<Error> unreadable(const std::string& name, const GdalMessages& me
   return fail(ErrorCode::kMalformed, "{}: cannot be read whole ({})", name, messages.text());
 }
 
-std::optional<Affine2> affine_of(GDALDataset& dataset) {
+/// How far the ground control points are from where the raster was placed by them, in pixels.
+/// @errors kMalformed: too far.
+Result<double> check_control_points(GDALDataset& dataset,
+                                    const Affine2& pixel_from_crs,
+                                    const std::string& name) {
+  constexpr double kMaxErrorPixels = 3.0;
+  const std::span points(dataset.GetGCPs(), static_cast<std::size_t>(dataset.GetGCPCount()));
+  double worst_px = 0.0;
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const GDAL_GCP& point = points[i];
+    const Eigen::Vector2d pixel = pixel_from_crs * Eigen::Vector2d(point.dfGCPX, point.dfGCPY);
+    const double error_px = (pixel - Eigen::Vector2d(point.dfGCPPixel, point.dfGCPLine)).norm();
+    if (error_px <= worst_px) continue;
+    worst_px = error_px;
+    worst = i;
+  }
+  if (worst_px <= kMaxErrorPixels) return worst_px;
+  return fail(ErrorCode::kMalformed,
+              "{}: its ground control points contradict each other, the worst at pixel ({:.6g}, "
+              "{:.6g}) by {:.1f} pixels",
+              name, points[worst].dfGCPPixel, points[worst].dfGCPLine, worst_px);
+}
+
+/// By geotransform or ground control points, still without reference system; nothing where there
+/// is neither. @errors kMalformed.
+Result<std::optional<Placement>> place_of(GDALDataset& dataset, const std::string& name) {
+  Placement placement{{}, {}, dataset.GetRasterXSize(), dataset.GetRasterYSize()};
   std::array<double, 6> geotransform{};
-  if (dataset.GetGeoTransform(geotransform.data()) == CE_None) {
-    return Affine2::from_gdal(geotransform);
+  const bool has_geotransform = dataset.GetGeoTransform(geotransform.data()) == CE_None;
+  // Three points always fit; of more, check_control_points says how well.
+  if (!has_geotransform &&
+      (dataset.GetGCPCount() < 3 || GDALGCPsToGeoTransform(dataset.GetGCPCount(), dataset.GetGCPs(),
+                                                           geotransform.data(), TRUE) == FALSE)) {
+    return std::nullopt;
   }
-  const int points = dataset.GetGCPCount();
-  if (points >= 3 &&
-      GDALGCPsToGeoTransform(points, dataset.GetGCPs(), geotransform.data(), TRUE) != FALSE) {
-    return Affine2::from_gdal(geotransform);
+  placement.crs_from_pixel = Affine2::from_gdal(geotransform);
+  const auto inverse = placement.crs_from_pixel.inverse();
+  if (!inverse) return forward_error(inverse, name);
+  if (!has_geotransform) {
+    const auto error_px = check_control_points(dataset, *inverse, name);
+    if (!error_px) return forward_error(error_px);
+    placement.control_point_error_px = *error_px;
   }
-  return std::nullopt;
+  return placement;
+}
+
+const OGRSpatialReference* own_crs(GDALDataset& dataset) {
+  const OGRSpatialReference* own = dataset.GetSpatialRef();
+  if (own == nullptr) own = dataset.GetGCPSpatialRef();
+  return own != nullptr && !own->IsEmpty() ? own : nullptr;
 }
 
 /// Some files claim to be in degrees and hold pixels. @errors kMalformed.
 Result<void> check_latitudes(const Placement& placement, const std::string& name) {
-  OGRSpatialReference crs;
-  crs.importFromWkt(placement.crs_wkt.c_str());
-  if (!crs.IsGeographic()) return {};
+  if (!crs_from_wkt(placement.crs_wkt).IsGeographic()) return {};
   for (const double column : {0.0, static_cast<double>(placement.width)}) {
     for (const double row : {0.0, static_cast<double>(placement.height)}) {
       const double latitude_deg = (placement.crs_from_pixel * Eigen::Vector2d(column, row)).y();
@@ -114,6 +152,37 @@ Result<GdalDataset> open_raster(const std::filesystem::path& path, const GdalMes
   return dataset;
 }
 
+Result<void> read_rows(
+    GDALDataset& dataset,
+    const std::string& name,
+    const GdalMessages& messages,
+    const std::function<Result<void>(int row, std::span<const std::int32_t> values)>& take) {
+  const int width = dataset.GetRasterXSize();
+  const int height = dataset.GetRasterYSize();
+  const auto row_length = static_cast<std::size_t>(width);
+  std::vector<std::int32_t> strip(row_length * kRowsPerRead);
+  for (int first = 0; first < height; first += kRowsPerRead) {
+    const int rows = std::min(kRowsPerRead, height - first);
+    if (dataset.GetRasterBand(1)->RasterIO(GF_Read, 0, first, width, rows, strip.data(), width,
+                                           rows, GDT_Int32, 0, 0, nullptr) != CE_None ||
+        messages.has_failed()) {
+      return unreadable(name, messages);
+    }
+    for (int i = 0; i < rows; ++i) {
+      const auto start = static_cast<std::size_t>(i) * row_length;
+      const auto taken = take(first + i, std::span(strip).subspan(start, row_length));
+      if (!taken) return forward_error(taken);
+    }
+  }
+  return {};
+}
+
+std::optional<double> no_data_of(GDALDataset& dataset) {
+  int has_no_data = FALSE;
+  const double no_data = dataset.GetRasterBand(1)->GetNoDataValue(&has_no_data);
+  return has_no_data != FALSE ? std::optional(no_data) : std::nullopt;
+}
+
 Result<Raster<std::uint8_t>> read_ids(GDALDataset& dataset,
                                       const std::string& name,
                                       const GdalMessages& messages) {
@@ -121,35 +190,28 @@ Result<Raster<std::uint8_t>> read_ids(GDALDataset& dataset,
     return fail(ErrorCode::kUnsupported, "{}: labels need one band of class ids, this has {}", name,
                 dataset.GetRasterCount());
   }
-  GDALRasterBand& band = *dataset.GetRasterBand(1);
-  if (!is_whole_number_type(band.GetRasterDataType())) {
+  const GDALDataType type = dataset.GetRasterBand(1)->GetRasterDataType();
+  if (!is_whole_number_type(type)) {
     return fail(ErrorCode::kUnsupported, "{}: labels need whole numbers, this has {}", name,
-                GDALGetDataTypeName(band.GetRasterDataType()));
+                GDALGetDataTypeName(type));
   }
-  int has_no_data = FALSE;
-  const double no_data = band.GetNoDataValue(&has_no_data);
+  const std::optional<double> no_data = no_data_of(dataset);
   Raster<std::uint8_t> ids(dataset.GetRasterXSize(), dataset.GetRasterYSize());
-  std::vector<std::int32_t> strip(static_cast<std::size_t>(ids.width()) * kRowsPerRead);
-  for (int first = 0; first < ids.height(); first += kRowsPerRead) {
-    const int rows = std::min(kRowsPerRead, ids.height() - first);
-    if (band.RasterIO(GF_Read, 0, first, ids.width(), rows, strip.data(), ids.width(), rows,
-                      GDT_Int32, 0, 0, nullptr) != CE_None ||
-        messages.has_failed()) {
-      return unreadable(name, messages);
-    }
-    const auto count = static_cast<std::size_t>(ids.width()) * static_cast<std::size_t>(rows);
-    std::uint8_t* out = ids.row(first).data();
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::int32_t value = strip[i];
-      if (has_no_data != FALSE && value == no_data) {
-        out[i] = kUnclassified;
-      } else if (value < 0 || value > 255) {
-        return fail(ErrorCode::kMalformed, "{}: value {} is no class id", name, value);
-      } else {
-        out[i] = static_cast<std::uint8_t>(value);
-      }
-    }
-  }
+  const auto done = read_rows(
+      dataset, name, messages, [&](int row, std::span<const std::int32_t> values) -> Result<void> {
+        std::uint8_t* out = ids.row(row).data();
+        for (const std::int32_t value : values) {
+          if (no_data && value == *no_data) {
+            *out++ = kUnclassified;
+          } else if (value < 0 || value > 255) {
+            return fail(ErrorCode::kMalformed, "{}: value {} is no class id", name, value);
+          } else {
+            *out++ = static_cast<std::uint8_t>(value);
+          }
+        }
+        return {};
+      });
+  if (!done) return forward_error(done);
   return ids;
 }
 
@@ -190,35 +252,39 @@ Result<std::optional<Placement>> placement_of(GDALDataset& dataset,
                                               const std::string& crs,
                                               const std::string& name,
                                               const GdalMessages& messages) {
-  const std::optional<Affine2> affine = affine_of(dataset);
-  if (!affine) return std::nullopt;
-  if (const auto inverse = affine->inverse(); !inverse) return forward_error(inverse, name);
-
-  const OGRSpatialReference* own = dataset.GetSpatialRef();
-  if (own == nullptr) own = dataset.GetGCPSpatialRef();
-  Placement placement{*affine, {}, dataset.GetRasterXSize(), dataset.GetRasterYSize()};
-  if (own != nullptr && !own->IsEmpty()) {
-    placement.crs_wkt = wkt_of(*own);
-  }
+  auto placement = place_of(dataset, name);
+  if (!placement || !*placement) return placement;
+  const OGRSpatialReference* own = own_crs(dataset);
+  std::string& wkt = (*placement)->crs_wkt;
+  if (own != nullptr) wkt = wkt_of(*own);
   if (!crs.empty()) {
     const auto given = crs_from_text(crs, messages);
     if (!given) return forward_error(given);
-    if (!placement.crs_wkt.empty() && own->IsSame(&*given) == FALSE) {
+    if (own != nullptr && own->IsSame(&*given) == FALSE) {
       return fail(ErrorCode::kInvalidOptions,
                   "{}: has a coordinate reference system of its own ({}), so --crs {} is refused",
                   name, own->GetName() != nullptr ? own->GetName() : "unnamed", crs);
     }
-    placement.crs_wkt = wkt_of(*given);
+    wkt = wkt_of(*given);
   }
-  if (placement.crs_wkt.empty()) {
+  if (wkt.empty()) {
     return fail(ErrorCode::kMalformed,
                 "{}: has a georeference without a coordinate reference system; name it with --crs",
                 name);
   }
-  if (const auto checked = check_latitudes(placement, name); !checked) {
+  if (const auto checked = check_latitudes(**placement, name); !checked) {
     return forward_error(checked);
   }
   return placement;
+}
+
+bool has_own_crs(GDALDataset& dataset) { return own_crs(dataset) != nullptr; }
+
+void set_placement(GDALDataset& dataset, const Placement& placement) {
+  std::array<double, 6> geotransform = placement.crs_from_pixel.to_gdal();
+  dataset.SetGeoTransform(geotransform.data());
+  const OGRSpatialReference crs = crs_from_wkt(placement.crs_wkt);
+  dataset.SetSpatialRef(&crs);
 }
 
 }  // namespace nadir

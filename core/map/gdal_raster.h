@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/base/raster.h"
@@ -52,6 +54,9 @@ struct Placement {
   std::string crs_wkt;
   int width = 0;
   int height = 0;
+  /// How far its worst ground control point is from where the raster was placed; 0 where it has
+  /// none.
+  double control_point_error_px = 0.0;
 };
 
 /// Opens for reading. @errors kNotFound, kMalformed (no raster, truncated header), kUnsupported
@@ -59,6 +64,15 @@ struct Placement {
 [[nodiscard]] Result<GdalDataset> open_raster(const std::filesystem::path& path,
                                               const GdalMessages& messages);
 
+/// Gives `take` the values of the first band as they are, row by row from the top. @errors
+/// kMalformed: truncated, and whatever `take` returns.
+[[nodiscard]] Result<void> read_rows(
+    GDALDataset& dataset,
+    const std::string& name,
+    const GdalMessages& messages,
+    const std::function<Result<void>(int row, std::span<const std::int32_t> values)>& take);
+/// The first band's no-data value, if it has one.
+[[nodiscard]] std::optional<double> no_data_of(GDALDataset& dataset);
 /// The only band, 8-bit ids; the source's own no-data value becomes kUnclassified.
 /// @errors kMalformed: truncated, or values outside [0, 255]; kUnsupported: more bands, not whole
 /// numbers.
@@ -74,11 +88,16 @@ struct Placement {
 /// Where the file says it lies, by geotransform, world file or ground control points; nothing where
 /// it says nothing.
 /// @param crs  "EPSG:25832" or WKT for a file that has none; empty otherwise.
-/// @errors kMalformed (singular, not finite, latitude beyond a pole, place without CRS),
+/// @errors kMalformed (singular, not finite, latitude beyond a pole, place without CRS, ground
+/// control points that contradict each other by more than 3 pixels),
 /// kInvalidOptions (bad `crs`, or the file has another).
 [[nodiscard]] Result<std::optional<Placement>> placement_of(GDALDataset& dataset,
                                                             const std::string& crs,
                                                             const std::string& name,
                                                             const GdalMessages& messages);
+/// Whether the file names a coordinate reference system itself.
+[[nodiscard]] bool has_own_crs(GDALDataset& dataset);
+/// Says in a dataset that is being written where it lies.
+void set_placement(GDALDataset& dataset, const Placement& placement);
 
 }  // namespace nadir

@@ -13,6 +13,7 @@
 #include "core/base/require.h"
 #include "core/map/crs.h"
 #include "core/map/gdal_raster.h"
+#include "core/map/map_warp.h"
 
 namespace nadir {
 namespace {
@@ -25,10 +26,7 @@ Result<void> check_plane(const Placement& placement,
                          const ProjectPlane& plane,
                          const std::string& name) {
   constexpr double kToleranceDeg = 1e-7;  // about a centimetre
-  OGRSpatialReference crs;
-  crs.importFromWkt(placement.crs_wkt.c_str());
-  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  const auto geodetic_from_crs = CrsTransform::create(crs, wgs84());
+  const auto geodetic_from_crs = CrsTransform::create(crs_from_wkt(placement.crs_wkt), wgs84());
   if (!geodetic_from_crs) return forward_error(geodetic_from_crs, name);
   for (const Eigen::Vector2d& point : {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(1e3, 1e3)}) {
     const Geodetic expected = plane.geodetic_from_enu(point);
@@ -88,15 +86,8 @@ Result<GdalDataset> create_tiff(const OverheadMap& map,
   GdalDataset dataset(driver->Create(path.c_str(), map.labels.width(), map.labels.height(), bands,
                                      GDT_Byte, options.List()));
   if (dataset == nullptr) return fail(ErrorCode::kIo, "{}: {}", path.string(), messages.text());
-  OGRSpatialReference crs;
-  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  NADIR_REQUIRE(crs.importFromWkt(map.plane.wkt().c_str()) == OGRERR_NONE);
-  dataset->SetSpatialRef(&crs);
-  Affine2 enu_from_pixel;
-  enu_from_pixel.linear << map.metres_per_cell, 0.0, 0.0, -map.metres_per_cell;
-  enu_from_pixel.offset = map.top_left_in_enu_m;
-  std::array<double, 6> geotransform = enu_from_pixel.to_gdal();
-  dataset->SetGeoTransform(geotransform.data());
+  set_placement(*dataset, placement_on({map.plane, map.metres_per_cell, map.top_left_in_enu_m,
+                                        map.labels.width(), map.labels.height()}));
   return dataset;
 }
 
@@ -141,6 +132,14 @@ void describe_classes(GDALRasterBand& band) {
   }
 }
 
+/// Another no-data value would take a class away without a word. @errors kMalformed.
+Result<void> check_no_data(GDALDataset& dataset, const std::string& name) {
+  const std::optional<double> no_data = no_data_of(dataset);
+  if (!no_data || *no_data == double{kUnclassified}) return {};
+  return fail(ErrorCode::kMalformed, "{}: its no-data value is {} and not {}, import it anew", name,
+              *no_data, static_cast<int>(kUnclassified));
+}
+
 Result<void> check_ids(const Raster<ClassId>& labels, const std::string& name) {
   const auto& values = labels.values();
   const auto bad = std::find_if(values.begin(), values.end(), [](ClassId id) {
@@ -161,6 +160,9 @@ Result<LabelTiff> read_label_tiff(const fs::path& path, const ProjectPlane& plan
   if (!dataset) return forward_error(dataset);
   const auto place = place_on(**dataset, plane, path.string(), messages);
   if (!place) return forward_error(place);
+  if (const auto checked = check_no_data(**dataset, path.string()); !checked) {
+    return forward_error(checked);
+  }
   auto labels = read_ids(**dataset, path.string(), messages);
   if (!labels) return forward_error(labels);
   if (const auto checked = check_ids(*labels, path.string()); !checked) {

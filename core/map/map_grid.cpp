@@ -59,21 +59,53 @@ std::optional<Eigen::AlignedBox2d> bounds_on_plane(const Placement& placement,
   return bounds;
 }
 
-/// Sides on the ground of the raster's centre pixel, along a row and along a column. Measured,
-/// because what a file calls a metre is none in Web Mercator, and even cos(latitude) is only
-/// spherical.
-std::optional<Eigen::Vector2d> ground_pixel_m(const Placement& placement,
-                                              const CrsTransform& enu_from_crs) {
-  const Eigen::Vector2d centre = 0.5 * size_of(placement);
-  Eigen::Vector2d sides_m;
+/// The raster's centre pixel on the plane.
+struct GroundPixel {
+  Eigen::Vector2d centre_in_enu_m;
+  Eigen::Matrix2d sides_in_enu_m;  ///< Columns: its side along a row and along a column.
+
+  [[nodiscard]] Eigen::Vector2d side_lengths_m() const {
+    return sides_in_enu_m.colwise().norm().transpose();
+  }
+};
+
+/// Measured, because what a file calls a metre is none in Web Mercator, and even cos(latitude) is
+/// only spherical.
+std::optional<GroundPixel> ground_pixel(const Placement& placement,
+                                        const CrsTransform& enu_from_crs) {
+  const Eigen::Vector2d centre =
+      Eigen::Vector2d(placement.width / 2, placement.height / 2) + Eigen::Vector2d(0.5, 0.5);
+  const auto centre_in_enu = enu_from_crs(placement.crs_from_pixel * centre);
+  if (!centre_in_enu) return std::nullopt;
+  GroundPixel pixel{*centre_in_enu, Eigen::Matrix2d::Zero()};
   for (const int axis : {0, 1}) {
     const Eigen::Vector2d half = 0.5 * Eigen::Vector2d::Unit(axis);
     const auto before = enu_from_crs(placement.crs_from_pixel * (centre - half));
     const auto after = enu_from_crs(placement.crs_from_pixel * (centre + half));
     if (!before || !after) return std::nullopt;
-    sides_m(axis) = (*after - *before).norm();
+    pixel.sides_in_enu_m.col(axis) = *after - *before;
   }
-  return sides_m;
+  return pixel;
+}
+
+/// How cells lie along one axis of the plane.
+struct CellAxis {
+  double first_edge_m = 0.0;
+  double cells = 0.0;  ///< A whole number, which may be too large for an int.
+};
+
+/// Cells that hold [low_m, high_m] and lie so that their centres fall into pixels and not onto the
+/// edges between them, where rounding would move the map by half a pixel: the pixel at `pixel_m`
+/// holds a whole number of cells.
+CellAxis cells_along(
+    double low_m, double high_m, double pixel_m, double pixel_side_m, double cell_m) {
+  // A hundredth of a cell, by which edges bend, must not cost a row of nothing.
+  constexpr double kSpareCells = 0.01;
+  const double cells_in_pixel = std::max(1.0, std::round(pixel_side_m / cell_m));
+  const double edge_m = pixel_m - 0.5 * cells_in_pixel * cell_m;
+  const double before = std::ceil((edge_m - low_m) / cell_m - kSpareCells);
+  const double after = std::ceil((high_m - edge_m) / cell_m - kSpareCells);
+  return {edge_m - before * cell_m, std::max(1.0, before + after)};
 }
 
 std::vector<std::string> notices_about(const Placement& placement,
@@ -81,7 +113,13 @@ std::vector<std::string> notices_about(const Placement& placement,
                                        const Eigen::Vector2d& ground_m,
                                        double metres_per_cell) {
   constexpr double kWorthTelling = 0.005;
+  constexpr double kWorthTellingPixels = 0.5;
   std::vector<std::string> notices;
+  if (placement.control_point_error_px > kWorthTellingPixels) {
+    notices.push_back(
+        fmt::format("its ground control points are up to {:.2f} pixels from where it was placed",
+                    placement.control_point_error_px));
+  }
   if (crs.IsProjected()) {
     const Eigen::Vector2d nominal_m =
         placement.crs_from_pixel.pixel_size() * crs.GetLinearUnits(nullptr);
@@ -107,42 +145,46 @@ Result<PlannedGrid> plan_grid(const Placement& placement,
                               std::optional<double> metres_per_cell,
                               const std::string& name) {
   const GdalMessages messages;
-  OGRSpatialReference crs;
-  crs.importFromWkt(placement.crs_wkt.c_str());
-  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const OGRSpatialReference crs = crs_from_wkt(placement.crs_wkt);
   const auto centre = centre_of(placement, crs, name);
   if (!centre) return forward_error(centre);
   const auto plane = ProjectPlane::create(*centre);
   if (!plane) return fail(ErrorCode::kMalformed, "{}: {}", name, plane.error().message);
 
-  OGRSpatialReference plane_crs;
-  plane_crs.importFromWkt(plane->wkt().c_str());
-  plane_crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  const auto enu_from_crs = CrsTransform::create(crs, plane_crs);
+  const auto enu_from_crs = CrsTransform::create(crs, crs_from_wkt(plane->wkt()));
   if (!enu_from_crs) return forward_error(enu_from_crs, name);
   const auto bounds = bounds_on_plane(placement, *enu_from_crs);
-  const auto ground_m = ground_pixel_m(placement, *enu_from_crs);
-  if (!bounds || !ground_m || !(bounds->sizes().maxCoeff() <= kMaxSpanMetres)) {
+  const auto pixel = ground_pixel(placement, *enu_from_crs);
+  if (!bounds || !pixel || !(bounds->sizes().maxCoeff() <= kMaxSpanMetres)) {
     return fail(ErrorCode::kUnsupported,
                 "{}: spans more than the {:.0f} km that one plane can hold", name,
                 kMaxSpanMetres / 1e3);
   }
-  const double cell_m = metres_per_cell.value_or(ground_m->minCoeff());
-  // A millionth of a cell of arithmetic must not cost a row or column.
-  const Eigen::Array2d cells = (bounds->sizes().array() / cell_m - 1e-6).ceil().max(1.0);
-  if (!(cell_m > 0.0) || !(cells.prod() <= static_cast<double>(kMaxMapCells))) {
+  const Eigen::Vector2d ground_m = pixel->side_lengths_m();
+  const double cell_m = metres_per_cell.value_or(ground_m.minCoeff());
+  const Eigen::Vector2d extent_m = pixel->sides_in_enu_m.cwiseAbs().rowwise().sum();
+  const CellAxis east = cells_along(bounds->min().x(), bounds->max().x(),
+                                    pixel->centre_in_enu_m.x(), extent_m.x(), cell_m);
+  const CellAxis south = cells_along(-bounds->max().y(), -bounds->min().y(),
+                                     -pixel->centre_in_enu_m.y(), extent_m.y(), cell_m);
+  if (!(cell_m > 0.0) || !(east.cells * south.cells <= static_cast<double>(kMaxMapCells))) {
     return fail(ErrorCode::kUnsupported,
                 "{}: {:.0f} x {:.0f} cells of {:.4g} m are more than a map may have", name,
-                cells.x(), cells.y(), cell_m);
+                east.cells, south.cells, cell_m);
   }
-  const Eigen::Vector2d half_m = 0.5 * cell_m * cells.matrix();
-  const Eigen::Vector2d middle = bounds->center();
   MapGrid grid{*plane,
                cell_m,
-               {middle.x() - half_m.x(), middle.y() + half_m.y()},
-               static_cast<int>(cells.x()),
-               static_cast<int>(cells.y())};
-  return PlannedGrid{std::move(grid), notices_about(placement, crs, *ground_m, cell_m)};
+               {east.first_edge_m, -south.first_edge_m},
+               static_cast<int>(east.cells),
+               static_cast<int>(south.cells)};
+  return PlannedGrid{std::move(grid), notices_about(placement, crs, ground_m, cell_m)};
+}
+
+Placement placement_on(const MapGrid& grid) {
+  Affine2 enu_from_pixel;
+  enu_from_pixel.linear << grid.metres_per_cell, 0.0, 0.0, -grid.metres_per_cell;
+  enu_from_pixel.offset = grid.top_left_in_enu_m;
+  return {enu_from_pixel, grid.plane.wkt(), grid.width, grid.height};
 }
 
 }  // namespace nadir

@@ -8,6 +8,7 @@
 
 #include "core/map/building_contours.h"
 #include "core/map/class_images.h"
+#include "core/map/crs.h"
 #include "core/map/map_warp.h"
 
 namespace nadir {
@@ -35,9 +36,13 @@ Result<void> check_options(const ImportOptions& options) {
     return fail(ErrorCode::kInvalidOptions,
                 "--anchor: needs --metres-per-pixel, and the other way round");
   }
-  if (options.inside_value != 0 && options.inside_value != 255) {
-    return fail(ErrorCode::kInvalidOptions, "--inside: {} is not 0 or 255", options.inside_value);
+  if (options.inside_value && *options.inside_value != 0 && *options.inside_value != 255) {
+    return fail(ErrorCode::kInvalidOptions, "--inside: {} is not 0 or 255", *options.inside_value);
   }
+  if (options.crs.empty()) return {};
+  const GdalMessages messages;
+  const auto crs = crs_from_text(options.crs, messages);
+  if (!crs) return forward_error(crs);
   return {};
 }
 
@@ -85,13 +90,6 @@ Result<MapGrid> anchored_grid(const Raster<ClassId>& labels, const ImportOptions
   return grid;
 }
 
-Placement placement_on(const MapGrid& grid) {
-  Affine2 enu_from_pixel;
-  enu_from_pixel.linear << grid.metres_per_cell, 0.0, 0.0, -grid.metres_per_cell;
-  enu_from_pixel.offset = grid.top_left_in_enu_m;
-  return {enu_from_pixel, grid.plane.wkt(), grid.width, grid.height};
-}
-
 /// Same plane, place and extent, other cells.
 Result<MapGrid> resampled(const MapGrid& grid, double metres_per_cell, const std::string& name) {
   const double columns = std::ceil(grid.width * grid.metres_per_cell / metres_per_cell - 1e-6);
@@ -122,12 +120,11 @@ Result<ColourRaster> import_image(const Placement& labels_placement,
   const std::string name = options.image.string();
   const auto dataset = open_raster(options.image, messages);
   if (!dataset) return forward_error(dataset);
-  auto own_placement = placement_of(**dataset, {}, name, messages);
-  if (!own_placement) {
-    // A world file without reference system is in the labels' one.
-    own_placement = placement_of(**dataset, options.crs, name, messages);
-    if (!own_placement) return forward_error(own_placement);
-  }
+  // A world file without reference system is in the labels' one; anchored labels have none.
+  std::string crs;
+  if (!has_own_crs(**dataset)) crs = options.anchor ? options.crs : labels_placement.crs_wkt;
+  const auto own_placement = placement_of(**dataset, crs, name, messages);
+  if (!own_placement) return forward_error(own_placement);
   auto colours = read_colours(**dataset, name, messages);
   if (!colours) return forward_error(colours);
   if (own_placement->has_value()) {
@@ -155,9 +152,15 @@ std::int64_t clear_what_no_overhead_holds(Raster<ClassId>& labels) {
   return count;
 }
 
-std::string default_name(const fs::path& source) {
+/// What a file or folder is called; only a file's name ends with its kind.
+std::string default_name(const fs::path& source, bool is_folder) {
   const fs::path named = source.has_filename() ? source : source.parent_path();
-  return named.stem().string();
+  return (is_folder ? named.filename() : named.stem()).string();
+}
+
+Result<void> check_not_stopped(const WorkContext& context, const std::string& name) {
+  if (context.is_stopped()) return fail(ErrorCode::kCancelled, "{}: import was cancelled", name);
+  return {};
 }
 
 }  // namespace
@@ -169,9 +172,12 @@ Result<ImportedMap> import_map(const fs::path& path,
   const std::string name = path.string();
   context.report(0.0, "reading labels");
   std::error_code error;
-  auto source = fs::is_directory(path, error) ? read_class_images(path, options)
-                                              : read_label_image(path, options);
+  const bool is_folder = fs::is_directory(path, error);
+  auto source = is_folder ? read_class_images(path, options) : read_label_image(path, options);
   if (!source) return forward_error(source);
+  if (const auto checked = check_not_stopped(context, name); !checked) {
+    return forward_error(checked);
+  }
   if (const auto checked = check_has_one_place(*source, options, name); !checked) {
     return forward_error(checked);
   }
@@ -217,7 +223,10 @@ Result<ImportedMap> import_map(const fs::path& path,
     if (!imported) return forward_error(imported);
     image = std::move(*imported);
   }
-  OverheadMap map{options.name.empty() ? default_name(path) : options.name, grid->plane,
+  if (const auto checked = check_not_stopped(context, name); !checked) {
+    return forward_error(checked);
+  }
+  OverheadMap map{options.name.empty() ? default_name(path, is_folder) : options.name, grid->plane,
                   grid->metres_per_cell, grid->top_left_in_enu_m, std::move(labels)};
   return ImportedMap{std::move(map), std::move(image), std::move(notices)};
 }

@@ -36,7 +36,8 @@ struct ImportOptions {
   /// Of the map; where empty the source's resolution on the ground.
   std::optional<double> metres_per_cell{};
   std::optional<ClassRemap> remap{};
-  int inside_value = 255;  ///< Of class images: 0 or 255 means "belongs to the class".
+  /// Of class images, and of nothing else: 0 or 255 means "belongs to the class"; where empty 255.
+  std::optional<int> inside_value{};
   /// Thickness of the walls that are left of filled buildings; nothing leaves buildings as they
   /// are.
   std::optional<double> building_contours_m{};
@@ -59,8 +60,8 @@ struct ImportedMap {
 /// Cars, pedestrians and sky become unclassified, for no overhead may hold them.
 ///
 /// @errors kNotFound, kMalformed (truncated, no place, coordinates that contradict their CRS, ids
-/// that are no class, images of different sizes), kUnsupported, kInvalidOptions, kCancelled. The
-/// message starts with the file or the option.
+/// that are no class, images of different sizes or places), kUnsupported, kInvalidOptions,
+/// kCancelled. The message starts with the file or the option.
 [[nodiscard]] Result<ImportedMap> import_map(const std::filesystem::path& source,
                                              const ImportOptions& options,
                                              const WorkContext& context = {});

@@ -25,7 +25,7 @@ class MapIndex {
  public:
   /// @param map  Not null; shared because maps are big and never change.
   /// @param truncation_m  Of the distance fields, > 0.
-  explicit MapIndex(std::shared_ptr<const OverheadMap> map, double truncation_m = 20.0);
+  explicit MapIndex(std::shared_ptr<const OverheadMap> map, double truncation_m = 4.0);
 
   [[nodiscard]] const OverheadMap& map() const { return *map_; }
   [[nodiscard]] const std::shared_ptr<const OverheadMap>& shared_map() const { return map_; }

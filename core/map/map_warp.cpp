@@ -10,7 +10,6 @@
 #include <memory>
 
 #include "core/base/require.h"
-#include "core/map/crs.h"
 
 namespace nadir {
 namespace {
@@ -32,13 +31,6 @@ struct WarpKind {
       nothing;  ///< Source value that is no value; also what empty cells become, otherwise 0.
 };
 
-OGRSpatialReference crs_from_wkt(const std::string& wkt) {
-  OGRSpatialReference crs;
-  crs.importFromWkt(wkt.c_str());
-  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  return crs;
-}
-
 /// A dataset over memory that belongs to the caller: `channels` interleaved bytes a pixel.
 GdalDataset dataset_over(void* bytes, const Placement& placement, int channels) {
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("MEM");
@@ -57,18 +49,8 @@ GdalDataset dataset_over(void* bytes, const Placement& placement, int channels) 
                          fmt::format("{}", std::int64_t{channels} * placement.width).c_str());
     NADIR_REQUIRE(dataset->AddBand(GDT_Byte, options.List()) == CE_None);
   }
-  std::array<double, 6> geotransform = placement.crs_from_pixel.to_gdal();
-  dataset->SetGeoTransform(geotransform.data());
-  const OGRSpatialReference crs = crs_from_wkt(placement.crs_wkt);
-  dataset->SetSpatialRef(&crs);
+  set_placement(*dataset, placement);
   return dataset;
-}
-
-Placement placement_on(const MapGrid& grid) {
-  Affine2 enu_from_pixel;
-  enu_from_pixel.linear << grid.metres_per_cell, 0.0, 0.0, -grid.metres_per_cell;
-  enu_from_pixel.offset = grid.top_left_in_enu_m;
-  return {enu_from_pixel, grid.plane.wkt(), grid.width, grid.height};
 }
 
 int CPL_STDCALL report_progress(double fraction, const char*, void* context) {

@@ -25,13 +25,17 @@ struct MapGrid {
   int height = 0;
 };
 
+/// Where the grid lies, on its own plane.
+[[nodiscard]] Placement placement_on(const MapGrid& grid);
+
 struct PlannedGrid {
   MapGrid grid;
   std::vector<std::string>
       notices;  ///< What the user should know: the pixels are not what the file says they are.
 };
 
-/// A grid that holds the whole raster, on a plane centred on it.
+/// A grid that holds the whole raster, on a plane centred on it. Its cells lie on the raster's
+/// centre pixel as that pixel lies: no cell's centre is on the pixel's edge.
 /// @param metres_per_cell  Where empty, the smaller side of the raster's centre pixel as measured
 /// on the ground.
 /// @errors kMalformed: coordinates that contradict their CRS; kUnsupported: more than 1000 km or

@@ -127,7 +127,93 @@ TEST_F(ClassImages, NeedAPlace) {
 
 TEST_F(ClassImages, NeedOneChannel) {
   write_picture(ColourRaster(2, 2), folder.path() / "road.png");
-  EXPECT_THAT(error_text(import()), HasSubstr("road.png: labels need one band"));
+  EXPECT_THAT(error_text(import()),
+              HasSubstr("road.png: a class image needs one channel, bright or dark, this has 3"));
+}
+
+TEST_F(ClassImages, MayHaveAnyNumberOfBits) {
+  for (const int bits : {1, 2, 4}) {
+    const int brightest = (1 << bits) - 1;
+    Raster<std::uint8_t> values = mask({"X..X", ".XX."});
+    for (std::uint8_t& value : values.values())
+      value = value == 0 ? 0 : static_cast<std::uint8_t>(brightest);
+    write_raster({.ids = values, .driver = "PNG", .bits = bits}, folder.path() / "road.png");
+    options.inside_value.reset();
+    EXPECT_EQ(labels(), drawn({"R..R", ".RR."})) << bits;
+    options.inside_value = 0;
+    EXPECT_EQ(labels(), drawn({".RR.", "R..R"})) << bits;
+  }
+  write_raster({.ids = mask({"X..X", ".XX."}), .driver = "PNG", .bits = 16},
+               folder.path() / "road.png");
+  EXPECT_EQ(labels(), drawn({".RR.", "R..R"}));
+  options.inside_value.reset();
+  EXPECT_EQ(labels(), drawn({"R..R", ".RR."}));
+}
+
+TEST_F(ClassImages, WithAPaletteGoByTheColourAndNotByItsNumber) {
+  // 0 is white and 1 black, the other way round than grey would be.
+  write_raster({.ids = Raster<std::uint8_t>(4, 1, {0, 1, 1, 2}),
+                .driver = "PNG",
+                .palette = {{255, 255, 255}, {0, 0, 0}, {250, 240, 255}}},
+               folder.path() / "road.png");
+  EXPECT_EQ(labels(), drawn({"R..R"}));
+}
+
+TEST_F(ClassImages, AreOutsideWhereTheyAreTransparent) {
+  write_raster({.ids = mask({"X..", "..."}), .no_data = 0, .driver = "PNG"},
+               folder.path() / "road.png");
+  write_raster({.ids = Raster<std::uint8_t>(3, 2, {0, 1, 0, 0, 0, 0}),
+                .no_data = 0,
+                .driver = "PNG",
+                .palette = {{0, 0, 0}, {255, 255, 255}}},
+               folder.path() / "curb.png");
+  EXPECT_EQ(labels(), drawn({"RC.", "..."}));
+}
+
+class PlacedClassImages : public ClassImages {
+ protected:
+  void SetUp() override { options = {.crs = "EPSG:32617"}; }
+  void place(const std::string& name, const Eigen::Vector2d& top_left, double pixel = 1.0) const {
+    Affine2 crs_from_pixel;
+    crs_from_pixel.linear << pixel, 0.0, 0.0, -pixel;
+    crs_from_pixel.offset = top_left;
+    static_cast<void>(folder.file(name, world_file(crs_from_pixel)));
+  }
+
+  const Eigen::Vector2d corner{500000.0, 3705000.0};
+};
+
+TEST_F(PlacedClassImages, LieWhereTheirWorldFilesSay) {
+  add("road.png", mask({"X....", ".....", "....."}));
+  add("curb.png", mask({".....", "...X.", "....."}));
+  place("road.pgw", corner);
+  place("curb.pgw", corner);
+  const auto result = import();
+  ASSERT_TRUE(result) << error_text(result);
+  EXPECT_EQ(result->map.labels, drawn({"R....", "...C.", "....."}));
+  const Eigen::Vector2d lon_lat =
+      lon_lat_from_crs("EPSG:32617", corner + Eigen::Vector2d(0.5, -0.5));
+  EXPECT_EQ(result->map.class_at(result->map.plane.enu_from_geodetic({lon_lat.y(), lon_lat.x()})),
+            kRoad);
+}
+
+TEST_F(PlacedClassImages, MayTakeTheirPlaceFromAnyOfThem) {
+  add("road.png", mask({"X....", ".....", "....."}));
+  add("curb.png", mask({".....", "...X.", "....."}));
+  place("curb.pgw", corner);  // Painted last.
+  EXPECT_EQ(labels(), drawn({"R....", "...C.", "....."}));
+}
+
+TEST_F(PlacedClassImages, MustAllLieAtOnePlace) {
+  add("road.png", mask({"X....", ".....", "....."}));
+  add("curb.png", mask({".....", "...X.", "....."}));
+  place("road.pgw", corner);
+  for (const Eigen::Vector2d& offset : {Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(0.0, 0.05)}) {
+    place("curb.pgw", corner + offset);
+    EXPECT_THAT(error_text(import()), HasSubstr("curb.png: does not lie where "));
+  }
+  place("curb.pgw", corner, 1.1);
+  EXPECT_THAT(error_text(import()), HasSubstr("road.png lies"));
 }
 
 }  // namespace

@@ -64,7 +64,8 @@ TEST(ClassRemap, RefusesIdsThatNoByteHolds) {
 
 TEST(ClassRemap, RefusesAFileThatListsNothingOrSomethingElse) {
   EXPECT_THAT(fault_in(""), HasSubstr("r.toml: lists no class"));
-  EXPECT_THAT(fault_in("[clases]\nx = \"road\"\n"), HasSubstr("clases is neither"));
+  EXPECT_THAT(fault_in("[clases]\nx = \"road\"\n"),
+              HasSubstr("clases is no known key (did you mean classes?)"));
   EXPECT_THAT(fault_in("[ids]\n3 = 4\n"), HasSubstr("3 is not a text"));
   EXPECT_THAT(fault_in("ids = 3\n"), HasSubstr("is not a table"));
 }

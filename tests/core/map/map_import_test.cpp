@@ -313,6 +313,10 @@ TEST_F(MapImport, RefusesOptionsThatMakeNoSense) {
   EXPECT_THAT(fault(file, {.anchor = Geodetic{95.0, 0.0}, .metres_per_pixel = 1.0}),
               HasSubstr("--anchor: map origin: latitude 95"));
   EXPECT_THAT(fault(file, {.inside_value = 7}), HasSubstr("--inside: 7"));
+  EXPECT_EQ(fault(file, {.anchor = anchor, .metres_per_pixel = 1.0, .inside_value = 255}),
+            "--inside: " + path().string() + " is no folder of class images");
+  EXPECT_THAT(fault(file, {.anchor = anchor, .metres_per_pixel = 1.0, .crs = "EPSG:banana"}),
+              HasSubstr("--crs: EPSG:banana is no"));
   const RasterFile utm{.ids = patchwork(20, 20),
                        .crs_from_pixel = affine(1, 0, 0, -1, 230000, 3705000)};
   EXPECT_THAT(fault(utm, {.crs = "EPSG:banana"}), HasSubstr("--crs: EPSG:banana is no"));
@@ -393,6 +397,48 @@ TEST_F(MapImport, StopsWhenAsked) {
   const auto result = import_map(path(), {}, context);
   ASSERT_FALSE(result);
   EXPECT_EQ(error_code(result), ErrorCode::kCancelled);
+}
+
+TEST_F(MapImport, StopsWhileItWarpsAndLeavesNothing) {
+  write_raster(placed("EPSG:32617", -83.9, 33.45, 1.0), path());
+  const auto before = folder.entries();
+  std::stop_source source;
+  WorkContext context;
+  context.stop = source.get_token();
+  bool has_warped = false;
+  context.progress = [&](double, const std::string& activity) {
+    if (activity.find("warping") == std::string::npos) return;
+    has_warped = true;
+    source.request_stop();
+  };
+  const auto result = import_map(path(), {}, context);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(error_code(result), ErrorCode::kCancelled);
+  EXPECT_TRUE(has_warped);
+  EXPECT_EQ(folder.entries(), before);
+}
+
+TEST_F(MapImport, StopsWhereNothingIsWarped) {
+  write_raster({.ids = patchwork(20, 20)}, path());
+  std::stop_source source;
+  WorkContext context;
+  context.stop = source.get_token();
+  context.progress = [&](double, const std::string&) { source.request_stop(); };
+  const auto result =
+      import_map(path(), {.anchor = Geodetic{33.45, -83.9}, .metres_per_pixel = 0.5}, context);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(error_code(result), ErrorCode::kCancelled);
+}
+
+TEST_F(MapImport, NamesTheMapAfterTheWholeFolderAndTheFileWithoutItsKind) {
+  const ImportOptions options{.anchor = Geodetic{33.45, -83.9}, .metres_per_pixel = 0.5};
+  const fs::path city = folder.path() / "city.v2";
+  fs::create_directory(city);
+  write_raster({.ids = Raster<std::uint8_t>(4, 4, 255), .driver = "PNG"}, city / "road.png");
+  EXPECT_EQ(import_map(city, options).value().map.name, "city.v2");
+  EXPECT_EQ(import_map(city / "", options).value().map.name, "city.v2");
+  write_raster({.ids = patchwork(20, 20)}, folder.path() / "town.v3.tif");
+  EXPECT_EQ(import_map(folder.path() / "town.v3.tif", options).value().map.name, "town.v3");
 }
 
 TEST_F(MapImport, MakesMapsThatAreWrittenAndReadAsTheyAre) {

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
 #include <set>
 
 #include "core/base/settings.h"
@@ -310,6 +311,37 @@ TEST_F(MapPackage, AcceptsLabelsThatAnotherProgramWroteOnThePlane) {
   ASSERT_TRUE(read) << error_text(read);
   EXPECT_EQ(read->metres_per_cell, 2.0);
   EXPECT_EQ(read->labels, patchwork(20, 10));
+}
+
+TEST_F(MapPackage, RefusesLabelsThatTakeAClassForNoData) {
+  write(town(20, 20));
+  RasterFile file = labels_on(town(), matrix(1, 0, 0, -1));
+  file.no_data = kRoad;
+  replace_labels(file);
+  EXPECT_EQ(fault(), labels_path() + ": its no-data value is 0 and not 255, import it anew");
+  file.no_data = kUnclassified;
+  replace_labels(file);
+  EXPECT_EQ(fault(), "(no error)");
+}
+
+TEST_F(MapPackage, RefusesLabelsWithoutAPlaceThatIsANumber) {
+  write(town(20, 20));
+  for (const int element : {0, 1, 2, 3}) {
+    RasterFile file = labels_on(town(), matrix(1, 0, 0, -1));
+    file.crs_from_pixel->linear(element / 2, element % 2) =
+        std::numeric_limits<double>::quiet_NaN();
+    replace_labels(file);
+    EXPECT_THAT(fault(), StartsWith(labels_path() + ": ")) << element;
+  }
+}
+
+TEST_F(MapPackage, IsNotWrittenIntoAFile) {
+  const fs::path file = folder.file("letter.txt", "dear");
+  const auto written = write_overhead_map(town(20, 20), town_provenance, {}, file / "town");
+  ASSERT_FALSE(written);
+  EXPECT_EQ(error_code(written), ErrorCode::kIo);
+  EXPECT_THAT(error_text(written), StartsWith((file / "town").string()));
+  EXPECT_EQ(folder.entries(), 1);
 }
 
 TEST_F(MapPackage, IsNotWrittenFromAnEmptyRaster) {

@@ -2,6 +2,7 @@
 #include "tests/core/map/raster_files.h"
 
 #include <cpl_string.h>
+#include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
@@ -37,10 +38,49 @@ Dataset open(const std::filesystem::path& path) {
   return dataset;
 }
 
-Dataset in_memory(int width, int height, int bands) {
+Dataset in_memory(int width, int height, int bands, GDALDataType type = GDT_Byte) {
   GDALAllRegister();
   GDALDriver* memory = GetGDALDriverManager()->GetDriverByName("MEM");
-  return Dataset(memory->Create("", width, height, bands, GDT_Byte, nullptr));
+  return Dataset(memory->Create("", width, height, bands, type, nullptr));
+}
+
+void fill_band(GDALRasterBand& band, const RasterFile& file) {
+  const int width = file.ids.width();
+  const int height = file.ids.height();
+  std::vector<int> values(file.ids.values().begin(), file.ids.values().end());
+  if (file.bits == 16) {
+    for (int& value : values) value *= 257;
+  }
+  need(band.RasterIO(GF_Write, 0, 0, width, height, values.data(), width, height, GDT_Int32, 0, 0,
+                     nullptr) == CE_None,
+       "values");
+  if (!file.palette.empty()) {
+    GDALColorTable table;
+    for (std::size_t i = 0; i < file.palette.size(); ++i) {
+      const Colour& colour = file.palette[i];
+      const GDALColorEntry entry{colour.red, colour.green, colour.blue, 255};
+      table.SetColorEntry(static_cast<int>(i), &entry);
+    }
+    band.SetColorTable(&table);
+  }
+  if (file.no_data) band.SetNoDataValue(*file.no_data);
+  CPLStringList names;
+  for (const std::string& name : file.category_names) names.AddString(name.c_str());
+  if (!file.category_names.empty()) band.SetCategoryNames(names.List());
+}
+
+void set_control_points(GDALDataset& dataset, const RasterFile& file) {
+  std::vector<GDAL_GCP> points(file.control_points.size());
+  GDALInitGCPs(static_cast<int>(points.size()), points.data());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].dfGCPPixel = file.control_points[i].pixel.x();
+    points[i].dfGCPLine = file.control_points[i].pixel.y();
+    points[i].dfGCPX = file.control_points[i].point_in_crs.x();
+    points[i].dfGCPY = file.control_points[i].point_in_crs.y();
+  }
+  const OGRSpatialReference crs = crs_of(file.crs);
+  dataset.SetGCPs(static_cast<int>(points.size()), points.data(), &crs);
+  GDALDeinitGCPs(static_cast<int>(points.size()), points.data());
 }
 
 void copy_to(GDALDataset& dataset,
@@ -69,30 +109,23 @@ Eigen::Vector2d transformed(const std::string& source,
 }  // namespace
 
 void write_raster(const RasterFile& file, const std::filesystem::path& path) {
-  const int width = file.ids.width();
-  const int height = file.ids.height();
-  const Dataset dataset = in_memory(width, height, file.copies);
-  auto* values = const_cast<std::uint8_t*>(file.ids.data());
-  for (int i = 1; i <= file.copies; ++i) {
-    GDALRasterBand& band = *dataset->GetRasterBand(i);
-    need(band.RasterIO(GF_Write, 0, 0, width, height, values, width, height, GDT_Byte, 0, 0,
-                       nullptr) == CE_None,
-         "values");
-    if (file.no_data) band.SetNoDataValue(*file.no_data);
-    CPLStringList names;
-    for (const std::string& name : file.category_names) names.AddString(name.c_str());
-    if (!file.category_names.empty()) band.SetCategoryNames(names.List());
-  }
+  const Dataset dataset = in_memory(file.ids.width(), file.ids.height(), file.copies,
+                                    file.bits == 16 ? GDT_UInt16 : GDT_Byte);
+  for (int i = 1; i <= file.copies; ++i) fill_band(*dataset->GetRasterBand(i), file);
   if (file.crs_from_pixel) {
     std::array<double, 6> geotransform = file.crs_from_pixel->to_gdal();
     dataset->SetGeoTransform(geotransform.data());
   }
-  if (!file.crs.empty()) {
+  if (!file.control_points.empty()) {
+    set_control_points(*dataset, file);
+  } else if (!file.crs.empty()) {
     const OGRSpatialReference crs = crs_of(file.crs);
     dataset->SetSpatialRef(&crs);
   }
   if (file.is_pixel_is_point) dataset->SetMetadataItem("AREA_OR_POINT", "Point");
-  copy_to(*dataset, file.driver, path);
+  CPLStringList options;
+  if (file.bits < 8) options.SetNameValue("NBITS", std::to_string(file.bits).c_str());
+  copy_to(*dataset, file.driver, path, options);
 }
 
 void write_picture(const ColourRaster& picture, const std::filesystem::path& path) {
@@ -185,6 +218,13 @@ std::int64_t cells_that_disagree(const OverheadMap& map,
     }
   }
   return disagreeing;
+}
+
+std::string world_file(const Affine2& crs_from_pixel) {
+  const Eigen::Vector2d centre = crs_from_pixel * Eigen::Vector2d(0.5, 0.5);
+  const Eigen::Matrix2d& linear = crs_from_pixel.linear;
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", linear(0, 0), linear(1, 0), linear(0, 1),
+                     linear(1, 1), centre.x(), centre.y());
 }
 
 Raster<std::uint8_t> patchwork(int width, int height) {

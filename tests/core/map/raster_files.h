@@ -16,6 +16,12 @@
 
 namespace nadir {
 
+/// A point of a raster whose place is known.
+struct ControlPoint {
+  Eigen::Vector2d pixel;
+  Eigen::Vector2d point_in_crs;
+};
+
 /// A raster file for a test, as another program would have written it.
 struct RasterFile {
   Raster<std::uint8_t> ids;
@@ -26,6 +32,10 @@ struct RasterFile {
   std::vector<std::string> category_names{};
   std::string driver = "GTiff";  ///< Or "PNG".
   int copies = 1;                ///< Number of equal bands.
+  /// Of a value in the file: 1, 2 and 4 for a PNG, 8, or 16 for values times 257.
+  int bits = 8;
+  std::vector<Colour> palette{};  ///< Colours of the values 0, 1, 2, ...
+  std::vector<ControlPoint> control_points{};
 };
 
 void write_raster(const RasterFile& file, const std::filesystem::path& path);
@@ -50,6 +60,9 @@ void write_picture(const ColourRaster& picture, const std::filesystem::path& pat
 [[nodiscard]] std::int64_t cells_that_disagree(const OverheadMap& map,
                                                const RasterFile& source,
                                                double margin_px = 0.05);
+
+/// The six lines of a world file.
+[[nodiscard]] std::string world_file(const Affine2& crs_from_pixel);
 
 /// Blocks of road, terrain and sidewalk whose pattern repeats nowhere near.
 [[nodiscard]] Raster<std::uint8_t> patchwork(int width, int height);
