@@ -3,7 +3,7 @@
 # ../shared/data where that is there; without them the tests that need them are skipped.
 #
 #   bash tests/run.sh            format, dev build, all tests
-#   bash tests/run.sh --all      the same, then AddressSanitizer + UBSan, ThreadSanitizer, fuzzers and clang-tidy (CI)
+#   bash tests/run.sh --all      the same, then AddressSanitizer + UBSan + fuzzers, ThreadSanitizer and clang-tidy (CI)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -15,29 +15,22 @@ fi
 
 step() { printf '\n== %s (%d s)\n' "$1" "$SECONDS"; }
 
-build() {  # build PRESET [TARGET...]
-  local preset=$1
-  shift
-  [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" >/dev/null
-  cmake --build --preset "$preset" ${@:+--target "$@"}
+check() {  # check PRESET: build and test
+  [ -f "build/$1/build.ninja" ] || cmake --preset "$1" >/dev/null
+  cmake --build --preset "$1"
+  ctest --preset "$1"
 }
 
 step 'format'
-git ls-files -z '*.h' '*.cpp' | xargs -0 clang-format-14 --dry-run -Werror
+find core app maps tests -name '*.h' -print0 -o -name '*.cpp' -print0 | xargs -0 clang-format-14 --dry-run -Werror
+step 'dev build and tests'
+check dev
 if [ "${1:-}" = --all ]; then
-  step 'AddressSanitizer and UndefinedBehaviorSanitizer'
-  build asan
-  ctest --preset asan
-  step 'ThreadSanitizer'
-  build tsan thread_tests
-  ctest --preset tsan
-  step 'fuzzers'
-  build fuzz fuzzers
-  ctest --preset fuzz
   step 'clang-tidy'
   bash tests/tidy.sh
+  step 'ThreadSanitizer'
+  check tsan
+  step 'AddressSanitizer, UndefinedBehaviorSanitizer, fuzzers'
+  check asan
 fi
-step 'dev build and tests'
-build dev
-ctest --preset dev
 step 'done'

@@ -1,28 +1,32 @@
 #!/usr/bin/env bash
-# clang-tidy on the sources that differ from what the last clean run saw; on all of them the first time.
+# clang-tidy on the sources that have changed since they were last found clean; on all of them the first time.
 #
 #   bash tests/tidy.sh [FILE...]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-[ -f build/tidy/build.ninja ] || cmake --preset tidy -DCMAKE_CXX_CLANG_TIDY= >/dev/null
+cmake --preset tidy >/dev/null  # again each time, so that new sources are in the compile commands
 stamps=build/tidy/clean
 mkdir -p "$stamps"
 # A file is clean as long as it, every header of ours and the rules are what they were.
-rules=$(cat .clang-tidy $(git ls-files '*.h') | sha256sum | cut -c1-16)
+rules=$(find core app maps -name '*.h' -print0 | sort -z | xargs -0 cat .clang-tidy | sha256sum | cut -c1-16)
 dirty=()
 if [ $# -gt 0 ]; then
   dirty=("$@")
 else
-  for file in $(git ls-files 'core/*.cpp' 'app/*.cpp' 'maps/*.cpp'); do
+  while IFS= read -r file; do
     stamp=$stamps/$(printf '%s %s' "$rules" "$(sha256sum "$file")" | sha256sum | cut -c1-32)
     [ -e "$stamp" ] || dirty+=("$file")
-  done
+  done < <(find core app maps -name '*.cpp' | sort)
 fi
 [ ${#dirty[@]} -eq 0 ] && { echo 'clang-tidy: nothing has changed'; exit 0; }
 echo "clang-tidy: ${#dirty[@]} files"
 check() {
-  clang-tidy-14 --quiet -p build/tidy "$1" 2>/dev/null || return 1
+  local said
+  if ! said=$(clang-tidy-14 --quiet -p build/tidy "$1" 2>&1); then
+    printf '%s\n' "$said" | grep -v 'warnings generated' >&2
+    return 1
+  fi
   touch "$2/$(printf '%s %s' "$3" "$(sha256sum "$1")" | sha256sum | cut -c1-32)"
 }
 export -f check

@@ -14,6 +14,8 @@ endif()
 if(NADIR_SANITIZE)
   add_compile_options(-fsanitize=${NADIR_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${NADIR_SANITIZE})
+  # Eigen allocates in another way under AddressSanitizer, and then frees what PCL's library has allocated in the usual one.
+  add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
 endif()
 
 # Fused multiply-add would make results depend on the instruction set that a function was compiled for.
@@ -21,7 +23,8 @@ add_compile_options(-ffp-contract=off)
 
 function(nadir_warnings target)
   target_compile_options(${target} PRIVATE
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual
+    $<$<BOOL:${NADIR_WARNINGS_ARE_ERRORS}>:-Werror>)
 endfunction()
 
 # nadir_add_module(core/mcl SOURCES a.cpp DEPENDS core/map PUBLIC_LIBRARIES x PRIVATE_LIBRARIES y)
@@ -53,6 +56,9 @@ function(nadir_add_test path)
   nadir_warnings(${name})
   if(NOT TEST_LABELS)
     set(TEST_LABELS unit)
+  endif()
+  if("unit" IN_LIST TEST_LABELS)  # what AddressSanitizer looks at
+    add_dependencies(unit_tests ${name})
   endif()
   if("threads" IN_LIST TEST_LABELS)  # what ThreadSanitizer looks at
     add_dependencies(thread_tests ${name})

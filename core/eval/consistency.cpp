@@ -69,10 +69,9 @@ Consistency assess_consistency(std::span<const EvaluatedStep> steps) {
     }
     const Eigen::Vector2d position_error = error.head<2>();
     const Eigen::Matrix2d position_covariance = step.covariance.topLeftCorner<2, 2>();
-    if (const auto squared = normalised_error_squared(position_error, position_covariance)) {
-      inside += *squared <= ellipse_limit ? 1U : 0U;
-      ++result.ellipse_steps;
-    }
+    const auto squared = normalised_error_squared(position_error, position_covariance);
+    inside += squared && *squared <= ellipse_limit ? 1U : 0U;
+    ++result.coverage_steps;
   }
   if (result.nees_steps > 0) {
     const auto count = static_cast<double>(result.nees_steps);
@@ -80,8 +79,8 @@ Consistency assess_consistency(std::span<const EvaluatedStep> steps) {
     result.nees_lower_95 = chi_square_quantile(0.025, 3.0 * count) / count;
     result.nees_upper_95 = chi_square_quantile(0.975, 3.0 * count) / count;
   }
-  if (result.ellipse_steps > 0) {
-    result.coverage_95 = static_cast<double>(inside) / static_cast<double>(result.ellipse_steps);
+  if (result.coverage_steps > 0) {
+    result.coverage_95 = static_cast<double>(inside) / static_cast<double>(result.coverage_steps);
   }
   return result;
 }

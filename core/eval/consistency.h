@@ -17,12 +17,14 @@ struct Consistency {
   std::optional<double>
       nees_mean;  ///< 3 for a consistent filter (3 degrees of freedom), more if over-confident.
   std::optional<double> nees_lower_95,
-      nees_upper_95;              ///< Where the mean of that many *independent* steps would lie
-                                  ///< 95 times in 100. Steps of a flight are correlated in time, so
-                                  ///< a mean just outside says little.
-  std::size_t ellipse_steps = 0;  ///< Steps that entered the coverage.
-  std::optional<double> coverage_95;  ///< Share of them whose true position is inside the 95 %
-                                      ///< ellipse: 0.95 if consistent.
+      nees_upper_95;  ///< Where the mean of that many *independent* steps would lie
+                      ///< 95 times in 100. Steps of a flight are correlated in time, so
+                      ///< a mean just outside says little.
+  std::size_t coverage_steps = 0;  ///< Steps behind the coverage: all whose truth is known.
+  std::optional<double>
+      coverage_95;  ///< Share of them whose true position is inside the 95 % ellipse: 0.95 if
+                    ///< consistent. A singular ellipse has no inside, so a filter that has
+                    ///< collapsed to a point does not look better for it.
 };
 
 /// Squared Mahalanobis distance e' P^-1 e: chi-square distributed with as many degrees of freedom

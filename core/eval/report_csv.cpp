@@ -44,7 +44,7 @@ Cells cells_of(const RunEvaluation& e) {
                  {"matched_pairs", std::to_string(e.matched_pairs)},
                  {"dropped_steps", std::to_string(e.dropped_steps)},
                  {"is_complete", e.is_complete ? "true" : "false"},
-                 {"alignment", std::string(alignment_name(e.alignment))}};
+                 {"alignment", std::string(enum_name(e.alignment))}};
   append_errors(cells, "estimate_", e.estimate);
   append_errors(cells, "odometry_", e.odometry);
   cells.emplace_back("nees_mean", number(e.consistency.nees_mean));
@@ -59,6 +59,9 @@ Cells cells_of(const RunEvaluation& e) {
   cells.emplace_back("distance_m", e.matched_pairs > 0 ? number(e.distance_m) : std::string());
   cells.emplace_back("update_rate_hz", number(e.update_rate_hz));
   cells.emplace_back("computing_ms_mean", number(e.computing_ms_mean));
+  cells.emplace_back("nees_steps", std::to_string(e.consistency.nees_steps));
+  cells.emplace_back("nees_excluded_steps", std::to_string(e.consistency.excluded_steps));
+  cells.emplace_back("coverage_steps", std::to_string(e.consistency.coverage_steps));
   return cells;
 }
 

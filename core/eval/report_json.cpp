@@ -36,7 +36,7 @@ Json run_object(const RunEvaluation& e) {
           {"seed", e.seed},
           {"steps", e.steps},
           {"matched_pairs", e.matched_pairs},
-          {"alignment", alignment_name(e.alignment)},
+          {"alignment", enum_name(e.alignment)},
           {"estimate", errors(e.estimate)},
           {"odometry", errors(e.odometry)},
           {"nees_mean", number(e.consistency.nees_mean)},
@@ -55,7 +55,8 @@ Json run_object(const RunEvaluation& e) {
           {"nees_steps", e.consistency.nees_steps},
           {"nees_excluded_steps", e.consistency.excluded_steps},
           {"lost_stretches", e.convergence.lost_stretches},
-          {"lost_m", e.convergence.lost_m}};
+          {"lost_m", e.convergence.lost_m},
+          {"coverage_steps", e.consistency.coverage_steps}};
 }
 
 }  // namespace

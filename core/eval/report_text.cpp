@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <numbers>
 
+#include "core/base/angle.h"
 #include "core/eval/report.h"
 
 namespace nadir {
 namespace {
 
-constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+constexpr double kDegreesPerRadian = Angle::radians(1.0).degrees();
 
 /// A value with so many decimals in 12 places, its decimal point always in the same column.
 std::string column(std::optional<double> value, int decimals) {
@@ -94,8 +94,9 @@ std::string judgement(const RunEvaluation& e) {
     text += fmt::format("  NEES left out  {} steps with a singular covariance\n", c.excluded_steps);
   }
   if (c.coverage_95) {
-    text += fmt::format("  coverage       {:.1f} % of the truth inside the 95 % ellipse\n",
-                        100.0 * *c.coverage_95);
+    text += fmt::format(
+        "  coverage       {:.1f} % of {} steps with the truth inside the 95 % ellipse\n",
+        100.0 * *c.coverage_95, c.coverage_steps);
   }
   if (e.convergence.after_s) {
     text += fmt::format("  converged      after {:.1f} s and {:.1f} m\n", *e.convergence.after_s,
@@ -119,7 +120,7 @@ std::string alignment_line(const RunEvaluation& e) {
   return fmt::format(
       "  alignment      {} (least squares on all pairs, so the errors are not those of a user)\n"
       "    estimate     {}\n    odometry     {}\n",
-      alignment_name(e.alignment), words(e.estimate_alignment), words(e.odometry_alignment));
+      enum_name(e.alignment), words(e.estimate_alignment), words(e.odometry_alignment));
 }
 
 std::string table(const RunEvaluation& e) {

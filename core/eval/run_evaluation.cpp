@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/eval/run_evaluation.h"
 
-#include <array>
 #include <cmath>
 #include <vector>
 
 namespace nadir {
 namespace {
-
-constexpr std::array<std::string_view, 3> kAlignmentNames = {"none", "se2", "sim2"};
 
 bool is_matched(const EvaluatedStep& step) {
   return step.truth_in_enu && is_finite(*step.truth_in_enu) && is_finite(step.estimate_in_enu) &&
@@ -62,13 +59,9 @@ void describe_time(RunEvaluation& evaluation, std::span<const EvaluatedStep> ste
 
 }  // namespace
 
-std::string_view alignment_name(Alignment alignment) {
-  return kAlignmentNames.at(static_cast<std::size_t>(alignment));
-}
-
 std::optional<Alignment> alignment_from_name(std::string_view name) {
-  for (std::size_t i = 0; i < kAlignmentNames.size(); ++i) {
-    if (kAlignmentNames.at(i) == name) return static_cast<Alignment>(i);
+  for (const Alignment alignment : {Alignment::kNone, Alignment::kSe2, Alignment::kSim2}) {
+    if (enum_name(alignment) == name) return alignment;
   }
   return std::nullopt;
 }

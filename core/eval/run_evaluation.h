@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/field.h"
 #include "core/base/result.h"
 #include "core/eval/consistency.h"
 #include "core/eval/convergence.h"
@@ -21,7 +23,11 @@ namespace nadir {
 /// judged. A localiser on a map must not be: alignment hides the very error under test.
 enum class Alignment { kNone, kSe2, kSim2 };
 
-[[nodiscard]] std::string_view alignment_name(Alignment alignment);  ///< "none", "se2" or "sim2".
+template <>
+struct EnumNames<Alignment> {
+  static constexpr std::array<std::string_view, 3> kNames = {"none", "se2", "sim2"};
+};
+
 [[nodiscard]] std::optional<Alignment> alignment_from_name(std::string_view name);
 
 /// One run of a localiser, judged. Text fields come from the run and are for people.

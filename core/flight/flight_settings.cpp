@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/flight/flight_settings.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -28,18 +27,10 @@ const Keys& known_keys(std::string_view table) {
   return table == "truth" ? truth : top;
 }
 
-/// A misspelt key that is passed over in silence would be a wrong camera that nobody notices.
 Result<void> check_keys(const Settings& settings, const std::string& table) {
-  const auto part = table.empty() ? Result<Settings>(settings) : settings.table(table);
-  if (!part) return forward_error(part);
-  const Keys& known = known_keys(table);
-  for (const std::string& key : part->keys()) {
-    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    const std::string nearest = nearest_word(key, known);
-    return fail(ErrorCode::kMalformed, "{}: {} is no key of a flight{}", part->name(), key,
-                nearest.empty() ? std::string() : fmt::format(" (did you mean {}?)", nearest));
-  }
-  return {};
+  if (table.empty()) return settings.refuse_unknown(known_keys(table));
+  const auto part = settings.table(table);
+  return part ? part->refuse_unknown(known_keys(table)) : forward_error(part);
 }
 
 Result<void> read_number(const Settings& settings, std::string_view key, double& value) {

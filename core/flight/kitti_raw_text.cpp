@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <numbers>
 #include <optional>
 
+#include "core/base/angle.h"
 #include "core/base/require.h"
 #include "core/flight/text_fields.h"
 
@@ -96,8 +96,8 @@ Result<OxtsPacket> parse_oxts_packet(std::string_view text, const std::string& n
   std::array<double, 23> columns{};
   const auto words = flight_text::words_of(text);
   if (words.size() < columns.size()) {
-    return fail(ErrorCode::kMalformed, "{}: has {} numbers, not the 30 of a packet", name,
-                words.size());
+    return fail(ErrorCode::kMalformed, "{}: has {} numbers, fewer than {}", name, words.size(),
+                columns.size());
   }
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto number = flight_text::finite_number(words[i]);
@@ -129,7 +129,7 @@ Result<Trajectory> truth_from_oxts(const std::vector<OxtsPacket>& packets,
     // Grid north lies `convergence` counter-clockwise of true north, and so does grid east of true
     // east.
     Attitude attitude = packet.attitude;
-    attitude.yaw_rad -= plane->convergence_deg(position) * std::numbers::pi / 180.0;
+    attitude.yaw_rad -= Angle::degrees(plane->convergence_deg(position)).radians();
     poses.push_back(
         {packet.time_s, Rigid3{rotation_of(attitude), {position.x(), position.y(), height_m}}});
   }

@@ -17,7 +17,7 @@ constexpr int kFractionBits = 15;
 constexpr double kFactorOne = 16384.0;  // 2^14
 // A body that lies just out of reach, plus what its cells may add, still fits into 31 bits.
 static_assert((kMaxMapSide + 2LL * (kMaxReachCells + 2)) << kFractionBits <= 1LL << 31U);
-constexpr double kReach_cells = kMaxReachCells + 1.0;
+constexpr double kReachCells = kMaxReachCells + 1.0;
 
 std::uint32_t sum_portable(const CostRaster& raster,
                            std::span<const HalfCell> cells,
@@ -120,7 +120,7 @@ FixedPose fixed_pose(const Rigid2& enu_from_body, const OverheadMap& map) {
   // The border of one cell moves everything by one; NaN is sent off the map.
   const auto to_fixed = [](double cells, int side) {
     const double near =
-        std::isnan(cells) ? -kReach_cells : std::clamp(cells, -kReach_cells, side + kReach_cells);
+        std::isnan(cells) ? -kReachCells : std::clamp(cells, -kReachCells, side + kReachCells);
     return static_cast<std::int32_t>(std::lround((near + 1.0) * (1 << kFractionBits)));
   };
   return {to_fixed(body_in_overhead.x(), map.labels.width()),

@@ -26,7 +26,10 @@ struct ErrorSurface {
 
   [[nodiscard]] Rigid2 pose(int ix, int iy, int iyaw) const;
   [[nodiscard]] float at(int ix, int iy, int iyaw) const {
-    return mean_cost[static_cast<std::size_t>((iyaw * grid.count_y + iy) * grid.count_x + ix)];
+    return mean_cost[(static_cast<std::size_t>(iyaw) * static_cast<std::size_t>(grid.count_y) +
+                      static_cast<std::size_t>(iy)) *
+                         static_cast<std::size_t>(grid.count_x) +
+                     static_cast<std::size_t>(ix)];
   }
 };
 

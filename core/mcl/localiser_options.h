@@ -68,7 +68,7 @@ struct LocaliserOptions {
   double translation_noise_m = 0.3;
   double position_noise_m_per_sqrt_s = 0.9;
   double along_noise_m_per_sqrt_m = 0.1;
-  double across_noise_m_per_sqrt_m = 0.3;
+  double across_noise_m_per_sqrt_m = 0.4;
   double yaw_noise_rad_per_sqrt_s = 0.04;
   double turn_noise_rad_per_sqrt_rad = 0.05;
   double hover_below_m = 0.01;

@@ -55,7 +55,8 @@ struct RunStep {
 /// described in core/run/README.md.
 class RunWriter {
  public:
-  /// @errors kIo: not writable. An existing *run file* is replaced, anything else is refused.
+  /// @errors kIo: not writable, or being written by another run. An existing *run file* is
+  /// replaced, anything else is refused.
   [[nodiscard]] static Result<RunWriter> create(const std::filesystem::path& path,
                                                 const RunHeader& header);
   RunWriter(RunWriter&&) noexcept;

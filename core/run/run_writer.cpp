@@ -11,11 +11,13 @@
 #include "core/eval/evaluated_step.h"
 #include "core/run/run_blobs.h"
 #include "core/run/run_file.h"
+#include "core/run/run_lock.h"
 #include "core/run/run_schema.h"
 #include "core/run/sqlite_database.h"
 
 namespace nadir {
 namespace fs = std::filesystem;
+using detail::RunLock;
 using detail::SqliteAccess;
 using detail::SqliteDatabase;
 using detail::SqliteStatement;
@@ -52,6 +54,8 @@ Result<void> make_room(const fs::path& path) {
   if (fs::exists(path, error) && !is_run_file(path)) {
     return fail(ErrorCode::kIo, "{}: exists and is not a run file, so it is left alone", name);
   }
+  const auto old_run = RunLock::hold(path);
+  if (!old_run) return forward_error(old_run);
   // The journal first: one that outlives its run would be rolled back into the new file.
   fs::remove(name + "-journal", error);
   if (!error) fs::remove(path, error);
@@ -126,6 +130,7 @@ void add_moments(SqliteStatement& statement, const PoseMoments& moments) {
 
 struct RunWriter::Implementation {
   std::string name;
+  RunLock lock;  ///< Outlives the connection: closing a file takes away the locks of SQLite.
   SqliteDatabase database;
   std::optional<SqliteStatement> insert_step, insert_mode, insert_particles, insert_topview;
   std::optional<double> last_time_s;
@@ -224,6 +229,8 @@ RunWriter::~RunWriter() = default;
 
 Result<RunWriter> RunWriter::create(const fs::path& path, const RunHeader& header) {
   if (const auto room = make_room(path); !room) return forward_error(room);
+  auto lock = RunLock::make(path);
+  if (!lock) return forward_error(lock);
   auto database = create_database(path, header);
   if (!database) {
     std::error_code ignored;
@@ -231,8 +238,8 @@ Result<RunWriter> RunWriter::create(const fs::path& path, const RunHeader& heade
     fs::remove(path.string() + "-journal", ignored);
     return forward_error(database);
   }
-  auto implementation = std::unique_ptr<Implementation>(
-      new Implementation{path.string(), std::move(*database), {}, {}, {}, {}, {}});
+  auto implementation = std::unique_ptr<Implementation>(new Implementation{
+      path.string(), std::move(*lock), std::move(*database), {}, {}, {}, {}, {}});
   if (const auto prepared = implementation->prepare(); !prepared) return forward_error(prepared);
   return RunWriter(std::move(implementation));
 }

@@ -96,8 +96,8 @@ struct View {
   }
 
   void draw_row(int row, std::vector<double>& depth_m, std::span<ClassId> labels) const {
-    const double cells_per_metre = 1.0 / world.metres_per_cell;
-    ColumnRay ray{.start = world.overhead_from_enu(centre_in_enu_m.head<2>()),
+    const double cells_per_metre = 1.0 / world.map.metres_per_cell;
+    ColumnRay ray{.start = world.map.overhead_from_enu(centre_in_enu_m.head<2>()),
                   .rate = Eigen::Vector2d::Zero(),
                   .z_m = centre_in_enu_m.z()};
     for (int column = 0; column < camera.width; ++column) {
@@ -128,7 +128,7 @@ SemanticFrame render(const World& world,
                      const Rigid3& enu_from_camera,
                      double time_s,
                      double max_range_m) {
-  NADIR_REQUIRE(camera.width > 0 && camera.height > 0 && !world.labels.empty());
+  NADIR_REQUIRE(camera.width > 0 && camera.height > 0 && !world.map.labels.empty());
   const View view{world, camera, enu_from_camera.translation_m,
                   enu_from_camera.rotation.toRotationMatrix(),
                   visible_sprites(world, camera, enu_from_camera, time_s)};

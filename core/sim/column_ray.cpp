@@ -97,7 +97,7 @@ ColumnHit column_hit(const World& world,
                      const CellWalk& walk,
                      double t_exit) {
   const double height_m = static_cast<double>(world.relief.height_m.at(walk.column(), walk.row()));
-  const ClassId label = world.labels.at(walk.column(), walk.row());
+  const ClassId label = world.map.labels.at(walk.column(), walk.row());
   if (ray.z_m + walk.t() * ray.z_rate_m <= height_m) {
     const double inset = kFaceInsetCells / std::max(ray.rate.norm(), 1e-12);
     return {walk.t() + std::min(inset, 0.5 * (t_exit - walk.t())), label};
@@ -113,9 +113,9 @@ ColumnHit trace_tall(const World& world, const ColumnRay& ray, double t_end) {
   if (ray.z_rate_m > 0.0) {
     t_end = std::min(t_end, (static_cast<double>(world.relief.tallest_m) - ray.z_m) / ray.z_rate_m);
   }
-  const auto [begin, end] = above_raster(world.labels, ray, 0.0, t_end);
+  const auto [begin, end] = above_raster(world.map.labels, ray, 0.0, t_end);
   if (begin >= end) return {kNever, kSky};
-  CellWalk walk(world.labels, ray, begin);
+  CellWalk walk(world.map.labels, ray, begin);
   bool is_inside = begin == 0.0;  // of the column that the camera is in, if it is in one
   do {
     const int reach = world.relief.cells_to_tall.at(walk.column(), walk.row());
@@ -137,7 +137,7 @@ ColumnHit trace_tall(const World& world, const ColumnRay& ray, double t_end) {
 
 /// Between the height of the curb-high ground and z = 0 the ray meets curb sides.
 ColumnHit trace_low(const World& world, const ColumnRay& ray, double t_low, double t_ground) {
-  const Raster<ClassId>& labels = world.labels;
+  const Raster<ClassId>& labels = world.map.labels;
   const auto ground_at = [&](double t) -> ColumnHit {
     const Eigen::Vector2d cell = ray.start + t * ray.rate;
     const int column = static_cast<int>(std::floor(cell.x()));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/base/angle.h"
 #include "core/base/require.h"
@@ -11,7 +10,7 @@
 namespace nadir {
 namespace {
 
-constexpr double kSharpestTurnRad = 170.0 * std::numbers::pi / 180.0;
+constexpr double kSharpestTurnRad = Angle::degrees(170.0).radians();
 constexpr double kSmallestRadiusM = 0.5;
 constexpr double kStraightRad = 1e-6;  ///< Turns below it are no corners.
 

@@ -25,6 +25,11 @@ struct OdometryDiffusion {
 /// The pose is the true one plus random walks in x, y (along `enu`, not turned by the yaw error)
 /// and yaw; height, roll and pitch are the true ones. Both start without error, so `odom` is `enu`
 /// at the first pose.
+///
+/// Position and yaw err independently, so the path keeps its shape in `odom` while the heading
+/// leaves it: the motion between two poses as the body reports it is the true one turned by minus
+/// the yaw error, plus the step of the walk. With a wrong yaw, a vehicle that flies straight ahead
+/// reports that it slides sideways; odometry that sums body motion would bend its path instead.
 [[nodiscard]] Trajectory drifting_odometry(const Trajectory& truth,
                                            const OdometryDiffusion& diffusion,
                                            std::uint64_t seed);

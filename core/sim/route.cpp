@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include "core/base/settings.h"
 #include "core/sim/flight_path.h"
@@ -19,19 +18,8 @@ struct NumberKey {
   double* value;
 };
 
-Result<void> refuse_unknown_keys(const Settings& settings,
-                                 std::initializer_list<std::string_view> known) {
-  for (const std::string& key : settings.keys()) {
-    if (std::find(known.begin(), known.end(), key) == known.end()) {
-      return fail(ErrorCode::kMalformed, "{}: no route has a key {}", settings.name(), key);
-    }
-  }
-  return {};
-}
-
 Result<void> add_waypoint(Route& route, const Settings& settings) {
-  if (auto known = refuse_unknown_keys(settings, {"name", "east_m", "north_m"}); !known)
-    return known;
+  if (auto known = settings.refuse_unknown({"name", "east_m", "north_m"}); !known) return known;
   const auto east_m = settings.number("east_m");
   if (!east_m) return forward_error(east_m);
   const auto north_m = settings.number("north_m");
@@ -44,9 +32,9 @@ Result<void> add_waypoint(Route& route, const Settings& settings) {
 }
 
 Result<Route> route_from(const Settings& settings) {
-  if (const auto known = refuse_unknown_keys(
-          settings, {"name", "waypoint", "corner_radius_m", "closed", "laps", "altitude_m",
-                     "speed_mps", "acceleration_mps2", "lateral_acceleration_mps2"});
+  if (const auto known = settings.refuse_unknown(
+          {"name", "waypoint", "corner_radius_m", "closed", "laps", "altitude_m", "speed_mps",
+           "acceleration_mps2", "lateral_acceleration_mps2"});
       !known) {
     return forward_error(known);
   }
@@ -82,10 +70,34 @@ Result<Route> route_from(const Settings& settings) {
   return route;
 }
 
-Result<void> check_limit(const Route& route, std::string_view what, double value, double most) {
-  if (value > 0.0 && value <= most) return {};
-  return fail(ErrorCode::kInvalidOptions, "{}: {} = {} is not in (0, {}]", route.name, what, value,
-              most);
+Result<void> check_limits(const Route& route) {
+  struct Limit {
+    std::string_view key;
+    double value, least, most;
+  };
+  // Slower than the least speeds and accelerations, a flight would last for days.
+  for (const auto& [key, value, least, most] :
+       {Limit{"corner_radius_m", route.corner_radius_m, 0.01, 1000.0},
+        Limit{"altitude_m", route.altitude_m, 0.5, 50.0},  // Above every curb.
+        Limit{"speed_mps", route.speed_mps, 0.1, 50.0},
+        Limit{"acceleration_mps2", route.acceleration_mps2, 0.05, 20.0},
+        Limit{"lateral_acceleration_mps2", route.lateral_acceleration_mps2, 0.05, 20.0}}) {
+    if (value >= least && value <= most) continue;
+    return fail(ErrorCode::kInvalidOptions, "{}: {} = {} is not in [{}, {}]", route.name, key,
+                value, least, most);
+  }
+  return {};
+}
+
+Result<void> check_length(const Route& route) {
+  constexpr double kLongestM = 50'000.0;
+  const auto& places = route.waypoints_in_enu_m;
+  double lap_m = route.is_closed ? (places.front() - places.back()).norm() : 0.0;
+  for (std::size_t i = 1; i < places.size(); ++i) lap_m += (places[i] - places[i - 1]).norm();
+  const double length_m = lap_m * route.laps;
+  if (length_m <= kLongestM) return {};
+  return fail(ErrorCode::kInvalidOptions, "{}: is {:.1f} km long, and a flight may be {:.0f} km",
+              route.name, length_m / 1000.0, kLongestM / 1000.0);
 }
 
 }  // namespace
@@ -124,15 +136,8 @@ Result<void> validate(const Route& route) {
                 "{}: laps = {} is not 1 or, for a closed route, up to 1000", route.name,
                 route.laps);
   }
-  for (const auto& limit :
-       {check_limit(route, "corner_radius_m", route.corner_radius_m, 1000.0),
-        check_limit(route, "altitude_m", route.altitude_m, 50.0),
-        check_limit(route, "speed_mps", route.speed_mps, 50.0),
-        check_limit(route, "acceleration_mps2", route.acceleration_mps2, 20.0),
-        check_limit(route, "lateral_acceleration_mps2", route.lateral_acceleration_mps2, 20.0)}) {
-    if (!limit) return limit;
-  }
-  return {};
+  if (auto limits = check_limits(route); !limits) return limits;
+  return check_length(route);
 }
 
 Result<Trajectory> plan_flight(const Route& route, std::uint64_t seed) {

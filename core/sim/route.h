@@ -38,8 +38,8 @@ struct Route {
 [[nodiscard]] Result<Route> parse_route(std::string_view text, const std::string& name);
 
 /// Checks what plan_flight needs. @errors kInvalidOptions: fewer than two waypoints, two in one
-/// place, laps of an open route, limits that are not positive. Messages start with the route's
-/// name.
+/// place, laps of an open route, limits out of range, an altitude below 0.5 m (curbs), more than
+/// 50 km in all laps. Messages start with the route's name.
 [[nodiscard]] Result<void> validate(const Route& route);
 
 /// Flies a route: straight lines and arcs, from rest to rest at the highest speed that the limits

@@ -36,9 +36,7 @@ std::vector<Solid> World::solids_at(double time_s) const {
 }
 
 World raise_world(const OverheadMap& map, const WorldOptions& options, std::uint64_t seed) {
-  World world{.metres_per_cell = map.metres_per_cell,
-              .top_left_in_enu_m = map.top_left_in_enu_m,
-              .labels = map.labels,
+  World world{.map = map,
               .relief = raise_relief(map, options.curb_height_m, seed),
               .standing = {},
               .moving = {}};

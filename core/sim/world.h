@@ -55,17 +55,11 @@ struct Mover {
 
 /// A made-up place with known truth: the relief of a map and things that the map does not show.
 struct World {
-  double metres_per_cell = 0.1;
-  Eigen::Vector2d top_left_in_enu_m = Eigen::Vector2d::Zero();
-  Raster<ClassId> labels;  ///< The map's. Outside of it the ground is unclassified at z = 0.
+  OverheadMap map;  ///< Outside of it the ground is unclassified at z = 0.
   Relief relief;
   std::vector<Solid> standing;  ///< Trees, poles, street lights, parked cars.
   std::vector<Mover> moving;    ///< Cars on roads, pedestrians on open ground.
 
-  [[nodiscard]] Eigen::Vector2d overhead_from_enu(const Eigen::Vector2d& point_in_enu_m) const {
-    return {(point_in_enu_m.x() - top_left_in_enu_m.x()) / metres_per_cell,
-            (top_left_in_enu_m.y() - point_in_enu_m.y()) / metres_per_cell};
-  }
   /// All solids as they stand at a time.
   [[nodiscard]] std::vector<Solid> solids_at(double time_s) const;
 };

@@ -72,7 +72,7 @@ std::optional<Promise> read_pcd_header(std::istream& stream) {
 
 /// PLY: the header ends with end_header; only plain properties of the vertices count.
 std::optional<Promise> read_ply_header(std::istream& stream) {
-  static const std::map<std::string, std::uint64_t> kSizes = {
+  static const std::map<std::string, std::uint64_t> sizes = {
       {"char", 1},  {"uchar", 1},  {"int8", 1},    {"uint8", 1},  {"short", 2}, {"ushort", 2},
       {"int16", 2}, {"uint16", 2}, {"int", 4},     {"uint", 4},   {"int32", 4}, {"uint32", 4},
       {"float", 4}, {"double", 8}, {"float32", 4}, {"float64", 8}};
@@ -96,8 +96,8 @@ std::optional<Promise> read_ply_header(std::istream& stream) {
       has_vertices = has_vertices || is_vertex;
     }
     if (words[0] == "property" && is_vertex) {
-      const auto size = words.size() == 3 ? kSizes.find(words[1]) : kSizes.end();
-      if (size == kSizes.end()) return std::nullopt;
+      const auto size = words.size() == 3 ? sizes.find(words[1]) : sizes.end();
+      if (size == sizes.end()) return std::nullopt;
       promise.bytes_per_point += size->second;
     }
   }

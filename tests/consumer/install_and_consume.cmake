@@ -1,5 +1,4 @@
-# Installs the build to a scratch prefix, builds the consumer project against it and runs it; then runs the installed program
-# in an empty folder, where nothing of the source tree helps it.
+# Installs the build to a scratch prefix, builds the consumer project against it and runs it; then the same with the program.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -13,5 +12,15 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_BUILD_TYPE=${BUILD_TYPE})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/embedded_localiser)
-run(${CMAKE_COMMAND} -E chdir ${WORK}/empty ${WORK}/prefix/bin/nadir map info maps/proving-ground)
+
+# From an installed program in an empty folder: simulate, localise, evaluate, and the same JSON on one thread and on two.
+# The program is moved first, so that neither the build nor the source tree can help it.
+file(RENAME ${WORK}/prefix ${WORK}/moved)
+set(nadir ${CMAKE_COMMAND} -E chdir ${WORK}/empty ${WORK}/moved/bin/nadir)
+run(${nadir} simulate maps/proving-ground --level hard --seed 7 --frame-rate 1 --out F)
+run(${nadir} localise F --map maps/proving-ground --out R.nadir --threads 2 --json)
+run(${nadir} localise F --map maps/proving-ground --out R1.nadir --threads 1 --json)
+run(${nadir} evaluate R.nadir --json --out R.json)
+run(${nadir} evaluate R1.nadir --json --out R1.json)
+run(${CMAKE_COMMAND} -E compare_files ${WORK}/empty/R.json ${WORK}/empty/R1.json)
 file(REMOVE_RECURSE ${WORK})

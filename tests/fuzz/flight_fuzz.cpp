@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
+#include "core/flight/flight_recording.h"
 #include "core/flight/flight_settings.h"
 #include "core/flight/frame_image.h"
 #include "core/flight/frame_list.h"
@@ -11,7 +16,8 @@
 #include "tests/fuzz/fuzz_check.h"
 
 // The bytes are given to every reader of a flight's files in turn: flight.toml, the lists, the
-// images, and KITTI's texts.
+// images, and KITTI's texts. Bytes that begin with "--- NAME" and a new line, once a file, are a
+// whole flight in a folder as well.
 namespace {
 
 using nadir::fuzz_check;
@@ -85,6 +91,51 @@ void check_kitti(std::string_view text) {
   if (mount) fuzz_check(nadir::validate(mount->camera).has_value(), "a camera is possible");
 }
 
+namespace fs = std::filesystem;
+
+/// One folder a process, in memory where the system has a folder for that.
+fs::path fuzzed_folder() {
+  const std::string name = "nadir-flight-fuzz-" + std::to_string(::getpid());
+  return (fs::is_directory("/dev/shm") ? fs::path("/dev/shm") : fs::temp_directory_path()) / name;
+}
+
+/// Writes the file that `name`, a new line and its bytes stand for, where that is inside the
+/// folder.
+void write_part(const fs::path& folder, std::string_view part) {
+  const std::size_t end = part.find('\n');
+  if (end == std::string_view::npos || end > 100) return;
+  const fs::path name(part.substr(0, end));
+  for (const fs::path& step : name) {
+    if (step == ".." || name.is_absolute() || name.string().find('\0') != std::string::npos) return;
+  }
+  std::error_code ignored;  // A name may be a folder already, or too long.
+  fs::create_directories((folder / name).parent_path(), ignored);
+  std::ofstream(folder / name, std::ios::binary) << part.substr(end + 1);
+}
+
+void check_flight(std::string_view text) {
+  constexpr std::string_view kMark = "--- ";
+  if (!text.starts_with(kMark)) return;
+  const fs::path folder = fuzzed_folder();
+  fs::create_directory(folder);
+  for (std::size_t at = kMark.size(); at < text.size();) {
+    const std::size_t next = std::min(text.find("\n--- ", at), text.size());
+    write_part(folder, text.substr(at, next - at));
+    at = next + 1 + kMark.size();
+  }
+  const auto flight = nadir::open_flight(folder);
+  fuzz_check_error(flight, folder.string());
+  if (flight && !(*flight)->description().frames.empty()) {
+    const auto frame = (*flight)->load(0);
+    fuzz_check_error(frame, folder.string());
+    if (frame) {
+      fuzz_check(frame->labels.width() == frame->depth_m.width(), "depth is as wide as labels");
+      fuzz_check(frame->labels.height() == frame->depth_m.height(), "and as high");
+    }
+  }
+  fs::remove_all(folder);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -93,5 +144,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check_list(text);
   check_images({data, size});
   check_kitti(text);
+  check_flight(text);
   return 0;
 }

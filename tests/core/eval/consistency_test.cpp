@@ -135,6 +135,21 @@ TEST(Consistency, WrapsTheYawError) {
   EXPECT_NEAR(*result.nees_mean, std::pow(2.0 * 3.14159265358979 - 6.26, 2), 1e-9);
 }
 
+TEST(Consistency, DoesNotImproveWhereTheFilterCollapses) {
+  auto steps = gaussian_steps(100, tilted_covariance(), tilted_covariance());
+  const double before = *assess_consistency(steps).coverage_95;
+  for (std::size_t i = 0; i < 50; ++i) steps[i].covariance.setZero();
+  const auto half = assess_consistency(steps);
+  EXPECT_EQ(half.coverage_steps, 100U);
+  EXPECT_LE(*half.coverage_95, 0.5);
+  EXPECT_LT(*half.coverage_95, before);
+  for (EvaluatedStep& step : steps) step.covariance.setZero();
+  const auto all = assess_consistency(steps);
+  EXPECT_EQ(*all.coverage_95, 0.0);
+  EXPECT_EQ(all.excluded_steps, 100U);
+  EXPECT_FALSE(all.nees_mean);
+}
+
 TEST(Consistency, CountsWhatItLeavesOutAndSkipsStepsWithoutTruth) {
   auto steps = gaussian_steps(4, tilted_covariance(), tilted_covariance());
   steps[1].truth_in_enu.reset();
@@ -143,7 +158,7 @@ TEST(Consistency, CountsWhatItLeavesOutAndSkipsStepsWithoutTruth) {
   const auto result = assess_consistency(steps);
   EXPECT_EQ(result.nees_steps, 1U);
   EXPECT_EQ(result.excluded_steps, 2U);
-  EXPECT_EQ(result.ellipse_steps, 2U);
+  EXPECT_EQ(result.coverage_steps, 3U) << "a singular ellipse counts, with nothing inside it";
   const auto nothing = assess_consistency({});
   EXPECT_FALSE(nothing.nees_mean || nothing.nees_lower_95 || nothing.coverage_95);
 }

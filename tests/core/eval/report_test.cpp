@@ -179,6 +179,23 @@ TEST(TextReport, SaysWhenThereIsNoTruthAndWhenTheRunWasStopped) {
   EXPECT_THAT(text, HasSubstr("The truth is not known"));
 }
 
+TEST(EveryReport, TellsHowManyStepsAreBehindTheConsistency) {
+  RunEvaluation evaluation = judged_run();
+  evaluation.consistency.nees_steps = 41;
+  evaluation.consistency.excluded_steps = 19;
+  const Json run = Json::parse(report_as_json(std::vector{evaluation}))["runs"][0];
+  EXPECT_EQ(run["nees_steps"], 41);
+  EXPECT_EQ(run["nees_excluded_steps"], 19);
+  EXPECT_EQ(run["coverage_steps"], 60);
+  const std::string csv = report_as_csv(std::vector{evaluation});
+  EXPECT_THAT(csv, HasSubstr(",nees_steps,nees_excluded_steps,coverage_steps\n"));
+  EXPECT_THAT(csv, testing::EndsWith(",41,19,60\n"));
+  const std::string text = report_as_text(std::vector{evaluation});
+  EXPECT_THAT(text, HasSubstr("19 steps with a singular covariance"));
+  EXPECT_THAT(text, HasSubstr("of 60 steps with the truth inside the 95 % ellipse"));
+  EXPECT_THAT(report_as_text(std::vector{judged_run()}), Not(HasSubstr("singular")));
+}
+
 TEST(TextReport, WarnsThatAnAlignedErrorIsNotTheUsers) {
   RunEvaluation evaluation = judged_run();
   evaluation.alignment = Alignment::kSe2;

@@ -115,9 +115,9 @@ TEST(RunEvaluation, CannotAlignWhatDoesNotMove) {
 
 TEST(Alignment, NamesAreThoseOfTheCommandLine) {
   for (const auto alignment : {Alignment::kNone, Alignment::kSe2, Alignment::kSim2}) {
-    EXPECT_EQ(alignment_from_name(alignment_name(alignment)), alignment);
+    EXPECT_EQ(alignment_from_name(enum_name(alignment)), alignment);
   }
-  EXPECT_EQ(alignment_name(Alignment::kSim2), "sim2");
+  EXPECT_EQ(enum_name(Alignment::kSim2), "sim2");
   EXPECT_FALSE(alignment_from_name("SE3"));
 }
 

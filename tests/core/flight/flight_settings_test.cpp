@@ -110,11 +110,11 @@ TEST(FlightSettings, RefuseAMissingOrImpossibleVersion) {
 TEST(FlightSettings, RefuseAMisspeltKeyAndNameTheNearest) {
   const std::string text = std::string(kFlight) + kCamera;
   EXPECT_THAT(message_of(parse_flight_settings(replaced(text, "focal_x_px", "focal_x"), "f.toml")),
-              HasSubstr("focal_x is no key of a flight (did you mean focal_x_px?)"));
+              HasSubstr("focal_x is no known key (did you mean focal_x_px?)"));
   EXPECT_THAT(message_of(parse_flight_settings(text + "depth_unit_per_m = 5000\n", "f.toml")),
               HasSubstr("(did you mean depth_units_per_m?)"));
   EXPECT_THAT(message_of(parse_flight_settings(text + "[cameras]\n", "f.toml")),
-              HasSubstr("cameras is no key of a flight (did you mean camera?)"));
+              HasSubstr("cameras is no known key (did you mean camera?)"));
 }
 
 TEST(FlightSettings, RefuseEachFaultWithItsName) {
@@ -133,7 +133,7 @@ TEST(FlightSettings, RefuseEachFaultWithItsName) {
   EXPECT_THAT(fault("554.5", "0"), HasSubstr("f.toml: camera: focal lengths 0 and 555"));
   EXPECT_THAT(fault("554.5", "\"wide\""), HasSubstr("camera.focal_x_px is not a number"));
   EXPECT_THAT(fault("[camera]", "[camera]\ndepth_units_per_m = 0"), HasSubstr("not positive"));
-  EXPECT_THAT(fault("[camera]", "camera = 3\n[x]"), HasSubstr("no key of a flight"));
+  EXPECT_THAT(fault("[camera]", "camera = 3\n[x]"), HasSubstr("no known key"));
   EXPECT_THAT(fault("[flight]", "[flight"), HasSubstr("f.toml: line 1"));
 }
 

@@ -131,9 +131,15 @@ TEST_F(FlightWriterTest, ProvenanceIsInTheFile) {
 
 TEST_F(FlightWriterTest, AnOlderFlightIsReplacedAndOtherFoldersAreLeftAlone) {
   ASSERT_TRUE(create(small_description())->finish({}, {}));
-  folder_.write("flight/leftover.txt", "old");
+  folder_.write("flight/labels/000099.png", "of a longer flight");
   ASSERT_TRUE(create(small_description())->finish({}, {}));
-  EXPECT_FALSE(fs::exists(target() / "leftover.txt"));
+  EXPECT_FALSE(fs::exists(target() / "labels" / "000099.png"));
+
+  folder_.write("flight/notes.txt", "precious");
+  const auto over_notes = FlightWriter::create(target(), small_description(), "");
+  ASSERT_FALSE(over_notes);
+  EXPECT_THAT(over_notes.error().message, HasSubstr("holds notes.txt"));
+  EXPECT_TRUE(fs::exists(target() / "notes.txt"));
 
   folder_.write("thesis/chapter.txt", "precious");
   const auto writer = FlightWriter::create(folder_.path() / "thesis", small_description(), "");

@@ -94,8 +94,7 @@ TEST(OxtsPacket, HasItsColumnsWhereTheFormatSays) {
 }
 
 TEST(OxtsPacket, RefusesTooFewNumbersAndNan) {
-  EXPECT_EQ(message_of(parse_oxts_packet("1 2 3", "0.txt")),
-            "0.txt: has 3 numbers, not the 30 of a packet");
+  EXPECT_EQ(message_of(parse_oxts_packet("1 2 3", "0.txt")), "0.txt: has 3 numbers, fewer than 23");
   std::string text = packet_text(circle(1, 1.0)[0]);
   EXPECT_EQ(message_of(parse_oxts_packet("nan" + text.substr(text.find(' ')), "0.txt")),
             "0.txt: number 1 is 'nan', not a finite number");

@@ -51,14 +51,14 @@ Seen walk_ray(const World& world,
     for (const Solid& solid : beside_ray) {
       if (is_inside(solid, point)) return {solid.label, t};
     }
-    const Eigen::Vector2d cell = world.overhead_from_enu(point.head<2>());
+    const Eigen::Vector2d cell = world.map.overhead_from_enu(point.head<2>());
     const int column = static_cast<int>(std::floor(cell.x()));
     const int row = static_cast<int>(std::floor(cell.y()));
-    const bool is_on_map = world.labels.contains(column, row);
+    const bool is_on_map = world.map.labels.contains(column, row);
     const double height_m =
         is_on_map ? static_cast<double>(world.relief.height_m.at(column, row)) : 0.0;
     if (point.z() <= height_m) {
-      return {is_on_map ? world.labels.at(column, row) : ClassId{kUnclassified}, t};
+      return {is_on_map ? world.map.labels.at(column, row) : ClassId{kUnclassified}, t};
     }
   }
   return {kSky, 0.0};

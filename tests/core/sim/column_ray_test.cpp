@@ -49,11 +49,11 @@ ColumnHit try_every_column(const World& world, const ColumnRay& ray, double t_en
     const Eigen::Vector2d place = ray.start + t * ray.rate;
     const int column = static_cast<int>(std::floor(place.x()));
     const int row = static_cast<int>(std::floor(place.y()));
-    nearest = {t, world.labels.contains(column, row) ? world.labels.at(column, row)
-                                                     : ClassId{kUnclassified}};
+    nearest = {t, world.map.labels.contains(column, row) ? world.map.labels.at(column, row)
+                                                         : ClassId{kUnclassified}};
   }
-  for (int row = 0; row < world.labels.height(); ++row) {
-    for (int column = 0; column < world.labels.width(); ++column) {
+  for (int row = 0; row < world.map.labels.height(); ++row) {
+    for (int column = 0; column < world.map.labels.width(); ++column) {
       const double height_m = static_cast<double>(world.relief.height_m.at(column, row));
       if (height_m == 0.0) continue;
       double begin = 0.0;
@@ -70,7 +70,7 @@ ColumnHit try_every_column(const World& world, const ColumnRay& ray, double t_en
       meet(ray.start.y(), ray.rate.y(), row, row + 1.0);
       meet(ray.z_m, ray.z_rate_m, -1.0, height_m);
       if (begin < end && begin > 0.0 && begin < nearest.t) {
-        nearest = {begin, world.labels.at(column, row)};
+        nearest = {begin, world.map.labels.at(column, row)};
       }
     }
   }
@@ -116,8 +116,8 @@ TEST_P(RandomWorlds, AreHitWhereTryingEveryColumnSays) {
       const Eigen::Vector2d place = ray.start + found.t * ray.rate;
       const int column = static_cast<int>(std::floor(place.x()));
       const int row = static_cast<int>(std::floor(place.y()));
-      if (world.labels.contains(column, row)) {
-        EXPECT_EQ(world.labels.at(column, row), found.label) << "the hit lies in its own cell";
+      if (world.map.labels.contains(column, row)) {
+        EXPECT_EQ(world.map.labels.at(column, row), found.label) << "the hit lies in its own cell";
       }
     }
   }

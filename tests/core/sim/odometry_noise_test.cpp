@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "core/sim/simulated_flight.h"
@@ -114,6 +116,24 @@ TEST(OdometryNoise, IsTheTruthWithoutDiffusionAndAFunctionOfTheSeed) {
 TEST(OdometryNoise, HasNoDriftToCalibrateWithoutDuration) {
   const auto truth = Trajectory::create({{5.0, {}}}, "one pose").value();
   EXPECT_EQ(calibrated_diffusion(truth, 50.0, 0.1).position_m_per_sqrt_s, 0.0);
+}
+
+TEST(DriftingOdometry, ReportsTheMotionOfTheBodyTurnedByTheYawError) {
+  const Trajectory truth = circle(60.0);
+  const Trajectory odometry = drifting_odometry(truth, {.yaw_rad_per_sqrt_s = 0.1}, 3);
+  double largest_rad = 0.0;
+  for (std::size_t i = 1; i < truth.size(); ++i) {
+    const Rigid2 start = planar(truth.poses()[i - 1].pose);
+    const Rigid2 reported_start = planar(odometry.poses()[i - 1].pose);
+    const double error_rad = wrap_rad(reported_start.yaw_rad - start.yaw_rad);
+    const Eigen::Vector2d motion =
+        (start.inverse() * planar(truth.poses()[i].pose)).translation_m();
+    const Eigen::Vector2d reported =
+        (reported_start.inverse() * planar(odometry.poses()[i].pose)).translation_m();
+    EXPECT_NEAR((reported - Eigen::Rotation2Dd(-error_rad) * motion).norm(), 0.0, 1e-9);
+    largest_rad = std::max(largest_rad, std::abs(error_rad));
+  }
+  EXPECT_GT(largest_rad, 0.3) << "or nothing was shown";
 }
 
 }  // namespace

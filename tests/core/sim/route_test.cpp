@@ -173,9 +173,13 @@ TEST(RouteFile, IsRefusedInOneSentenceThatNamesTheFault) {
   EXPECT_THAT(fault(point("0", "0") + point("1e9", "0")), HasSubstr("waypoint 2"));
   EXPECT_THAT(fault("speed_mps = 0\n" + points), HasSubstr("speed_mps"));
   EXPECT_THAT(fault("speed_mps = \"fast\"\n" + points), HasSubstr("speed_mps"));
+  EXPECT_THAT(fault("speed_mps = 1e-9\n" + points), HasSubstr("not in [0.1, 50]"));
+  EXPECT_THAT(fault("acceleration_mps2 = 1e-9\n" + points), HasSubstr("not in [0.05, 20]"));
+  EXPECT_THAT(fault("altitude_m = 0.1\n" + points), HasSubstr("altitude_m = 0.1 is not in [0.5"));
+  EXPECT_EQ(fault("altitude_m = 0.5\n" + points), "none");
   EXPECT_THAT(fault("laps = 2\n" + points), HasSubstr("laps = 2"));
   EXPECT_THAT(fault("closed = true\nlaps = -7\n" + points), HasSubstr("laps"));
-  EXPECT_THAT(fault("sped_mps = 2\n" + points), HasSubstr("sped_mps"));
+  EXPECT_THAT(fault("sped_mps = 2\n" + points), HasSubstr("did you mean speed_mps?"));
   EXPECT_THAT(fault(points + "hight = 2\n"), HasSubstr("hight"));
   EXPECT_THAT(fault(points), testing::Not(HasSubstr("\n")));
 }
@@ -185,6 +189,20 @@ TEST(RouteFile, SaysWhichFileIsMissing) {
   ASSERT_FALSE(route.has_value());
   EXPECT_EQ(route.error().code, ErrorCode::kNotFound);
   EXPECT_THAT(route.error().message, HasSubstr("no/such/route.toml"));
+}
+
+TEST(PlanFlight, RefusesFlightsOfMoreThanFiftyKilometres) {
+  Route route = square();
+  route.waypoints_in_enu_m = {{0.0, 0.0}, {25'000.0, 0.0}, {25'000.0, 25'000.0}, {0.0, 25'000.0}};
+  route.laps = 1000;
+  const auto far = plan_flight(route, 1);
+  ASSERT_FALSE(far.has_value());
+  EXPECT_EQ(far.error().message, "square: is 100000.0 km long, and a flight may be 50 km");
+  route = square();  // 200 m a lap.
+  route.laps = 250;
+  EXPECT_TRUE(validate(route).has_value());
+  route.laps = 251;
+  EXPECT_FALSE(validate(route).has_value());
 }
 
 TEST(PlanFlight, RefusesCornersThatCannotBeFlown) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A tree that breaks the dependency rule: geo must not know the localiser.
+// A tree that breaks two rules: geo must not know the localiser, and headers of core must be light.
+#include <opencv2/core.hpp>
+
 #include "core/mcl/localiser.h"
