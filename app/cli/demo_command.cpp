@@ -90,9 +90,9 @@ int run_demo(std::span<const std::string> arguments, std::ostream& out, std::ost
   task.map = folder / "map";
   task.run = folder / "run.nadir";
   task.is_quiet = is_quiet;
-  const auto evaluation = localise_and_evaluate(task, err);
-  if (!evaluation) return report_error(err, evaluation.error());
-  const std::span runs(&*evaluation, 1);
+  const auto result = localise_and_evaluate(task, err);
+  if (!result) return report_error(err, result.error());
+  const std::span runs(&result->evaluation, 1);
   const std::string table = report_as_text(runs);
   const std::string json = report_as_json(runs);
   for (const auto& [name, text] : {std::pair("table.txt", table), std::pair("table.json", json)}) {

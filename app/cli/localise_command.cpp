@@ -118,10 +118,10 @@ int run_localise(std::span<const std::string> arguments, std::ostream& out, std:
   if (!task) return report_error(err, task.error());
 
   const ThreadLimit limit(values.threads);
-  const auto evaluation = localise_and_evaluate(*task, err);
-  if (!evaluation) return report_error(err, evaluation.error());
-  const std::span runs(&*evaluation, 1);
-  out << (values.is_json ? report_as_json(runs) : report_as_text(runs));
+  const auto result = localise_and_evaluate(*task, err);
+  if (!result) return report_error(err, result.error());
+  const std::span runs(&result->evaluation, 1);
+  out << (values.is_json ? report_as_json(runs) : report_as_text(runs) + "\n" + result->ending);
   return kDone;
 }
 

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <system_error>
 
 #include "app/cli/arguments.h"
 #include "app/cli/console.h"
+#include "core/base/angle.h"
 #include "core/map/overhead_map_file.h"
 #include "core/run/evaluate_run.h"
 
@@ -31,6 +33,25 @@ void say_what_was_left_out(const LocaliseSummary& summary, std::ostream& err) {
   }
 }
 
+/// Where a run ends: place, heading, spread, and how the mass is shared where there is more than one cluster.
+std::string ending_of(const RunStep& step, const ProjectPlane& plane) {
+  const PoseMoments& moments = step.estimate.moments;
+  const Eigen::Matrix3d& covariance = moments.covariance;
+  std::string text = fmt::format(
+      "ends at {:.2f} m east, {:.2f} m north ({}), heading {:.1f} deg from north; standard "
+      "deviations {:.2f} m, {:.1f} deg\n",
+      moments.mean.x_m, moments.mean.y_m,
+      geodetic_text(plane.geodetic_from_enu(moments.mean.translation_m())),
+      compass_deg_from_yaw(Angle::radians(moments.mean.yaw_rad)),
+      std::sqrt(covariance(0, 0) + covariance(1, 1)),
+      Angle::radians(std::sqrt(covariance(2, 2))).degrees());
+  if (step.estimate.modes.size() > 1) {
+    text += fmt::format("the particles form {} clusters; the heaviest holds {:.0f} %\n",
+                        step.estimate.modes.size(), 100.0 * step.estimate.modes.front().mass);
+  }
+  return text;
+}
+
 /// Steps of a run as they come: into the file, where there is one, and always into the evaluation. An earlier run of the
 /// same name steps aside and comes back when the new one fails.
 class Recorder {
@@ -42,6 +63,7 @@ class Recorder {
       if (auto started = start(); !started) return started;
     }
     steps_.push_back(evaluated_step(step));
+    last_.estimate = step.estimate;
     return writer_ ? writer_->write(step) : Result<void>();
   }
 
@@ -73,6 +95,7 @@ class Recorder {
   }
 
   [[nodiscard]] std::size_t step_count() const { return steps_.size(); }
+  [[nodiscard]] const RunStep& last() const { return last_; }
 
  private:
   Result<void> start() {
@@ -99,11 +122,12 @@ class Recorder {
   fs::path earlier_;  ///< Where the earlier run waits; empty where there is none.
   std::optional<RunWriter> writer_;
   std::vector<EvaluatedStep> steps_;
+  RunStep last_;
 };
 
 }  // namespace
 
-Result<RunEvaluation> localise_and_evaluate(const LocaliseTask& task, std::ostream& err) {
+Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task, std::ostream& err) {
   const Interrupt interrupt;
   const std::filesystem::path map_path = find_bundled(task.map);
   auto map = read_overhead_map(map_path);
@@ -140,8 +164,11 @@ Result<RunEvaluation> localise_and_evaluate(const LocaliseTask& task, std::ostre
   }
   if (!task.is_quiet) say_what_was_left_out(*summary, err);
   auto evaluation = recorder.finish();
-  if (!evaluation) recorder.discard();
-  return evaluation;
+  if (!evaluation) {
+    recorder.discard();
+    return forward_error(evaluation);
+  }
+  return LocaliseResult{std::move(*evaluation), ending_of(recorder.last(), index->map().plane)};
 }
 
 }  // namespace nadir::cli

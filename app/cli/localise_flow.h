@@ -20,9 +20,16 @@ struct LocaliseTask {
   bool is_quiet = false;
 };
 
+/// What a run came to.
+struct LocaliseResult {
+  RunEvaluation evaluation;
+  std::string
+      ending;  ///< Where the vehicle is at the end and how sure that is, in one line for people.
+};
+
 /// Localises with a progress bar and judges the result. Words go to `err`. Ctrl+C stops it cleanly: the run file then holds
 /// the steps so far. @errors as localise_flight: then no new run file is left, and an earlier one of that name is as it was.
-[[nodiscard]] Result<RunEvaluation> localise_and_evaluate(const LocaliseTask& task,
-                                                          std::ostream& err);
+[[nodiscard]] Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task,
+                                                           std::ostream& err);
 
 }  // namespace nadir::cli

@@ -90,6 +90,10 @@ int run_simulate(std::span<const std::string> arguments, std::ostream& out, std:
     if (!path) return report_error(err, path.error());
     task.path = std::move(*path);
   }
+  if (!values.truth.empty() && values.start.empty() && !values.is_quiet) {
+    err << "the path is taken to be in metres on the map's plane already; --start lays its first "
+           "pose elsewhere\n";
+  }
   const ThreadLimit limit(values.threads);
   const auto flight = simulate(task, err);
   if (!flight) return report_error(err, flight.error());

@@ -5,7 +5,11 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
 #include <thread>
+#include <vector>
 
 #include "core/base/require.h"
 
@@ -33,6 +37,41 @@ int thread_count() {
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
+namespace {
+
+#if defined(__SANITIZE_THREAD__)
+/// TBB's library is not instrumented, so ThreadSanitizer takes its hand-overs for races. Under it plain threads share the
+/// chunks out, and what it then reports are races of ours.
+void hand_out(std::size_t chunks, const std::function<void(std::size_t)>& run_chunk) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  const auto work = [&] {
+    for (std::size_t chunk = next++; chunk < chunks; chunk = next++) {
+      try {
+        run_chunk(chunk);
+      } catch (...) {
+        const std::lock_guard lock(failure_mutex);
+        if (!failure) failure = std::current_exception();
+        next = chunks;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (int i = 1; i < thread_count(); ++i) helpers.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+#else
+void hand_out(std::size_t chunks, const std::function<void(std::size_t)>& run_chunk) {
+  tbb::parallel_for(std::size_t{0}, chunks, run_chunk);
+}
+#endif
+
+}  // namespace
+
 void parallel_for(std::size_t count,
                   std::size_t chunk_size,
                   const std::function<void(std::size_t begin, std::size_t end)>& body) {
@@ -45,7 +84,7 @@ void parallel_for(std::size_t count,
     if (chunks == 1) run_chunk(0);
     return;
   }
-  tbb::parallel_for(std::size_t{0}, chunks, run_chunk);
+  hand_out(chunks, run_chunk);
 }
 
 }  // namespace nadir

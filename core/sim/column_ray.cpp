@@ -36,6 +36,7 @@ class CellWalk {
   bool leave(int reach) {
     const double x_t = exit_x(reach);
     const double y_t = exit_y(reach);
+    if (std::min(x_t, y_t) == kNever) return false;  // straight down: it never leaves its cell
     if (x_t < y_t) {
       t_ = std::max(t_, x_t);
       row_ = cell(ray_.start.y() + t_ * ray_.rate.y(), row_ - reach + 1, row_ + reach - 1);
@@ -50,7 +51,8 @@ class CellWalk {
 
  private:
   static int cell(double position, int lowest, int highest) {
-    return std::clamp(static_cast<int>(std::floor(position)), lowest, highest);
+    if (!(position >= lowest)) return lowest;  // NaN too, from a rate next to nothing
+    return position >= highest ? highest : static_cast<int>(std::floor(position));
   }
   [[nodiscard]] double exit_x(int reach) const {
     if (ray_.rate.x() == 0.0) return kNever;

@@ -126,6 +126,12 @@ TEST_F(LocaliseCommand, RunsEveryPreset) {
   }
 }
 
+TEST_F(LocaliseCommand, SaysWhereTheFlightEnds) {
+  const auto localised = run_program(localise({}));
+  EXPECT_THAT(localised.out,
+              AllOf(HasSubstr("ends at "), HasSubstr("standard deviations"), HasSubstr(" N ")));
+}
+
 TEST_F(LocaliseCommand, StartsWhereItIsToldOrAnywhere) {
   const auto given =
       run_program(localise({"--prior", "8,28,0", "--prior-sigma", "1,10", "--json"}));

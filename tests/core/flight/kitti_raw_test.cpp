@@ -14,7 +14,6 @@ using test::message_of;
 using testing::EndsWith;
 using testing::HasSubstr;
 
-constexpr double kPi = std::numbers::pi;
 
 TEST(KittiTimestamps, AreSecondsSince1970) {
   const auto times_s = parse_kitti_timestamps(
