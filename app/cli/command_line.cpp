@@ -34,6 +34,7 @@ void print_help(std::ostream& out) {
 
 int refuse_unknown(const std::string& word, std::ostream& err) {
   std::vector<std::string> names;
+  names.reserve(kCommands.size());
   for (const Command& command : kCommands) names.emplace_back(command.name);
   const std::string nearest = nearest_word(word, names);
   err << "nadir: '" << word << "' is not a command"

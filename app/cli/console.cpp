@@ -23,13 +23,13 @@ ProgressBar::~ProgressBar() {
 void ProgressBar::show(double fraction, const std::string& activity) {
   using std::chrono::duration;
   constexpr int kWidth = 30;
-  constexpr double kRedrawAfter_s = 0.1;
+  constexpr double kRedrawAfterS = 0.1;
   if (!is_shown_) return;
   const auto now = std::chrono::steady_clock::now();
   if (activity != activity_) {
     activity_ = activity;
     began_ = now;
-  } else if (duration<double>(now - drawn_).count() < kRedrawAfter_s && fraction < 1.0) {
+  } else if (duration<double>(now - drawn_).count() < kRedrawAfterS && fraction < 1.0) {
     return;
   }
   drawn_ = now;
@@ -55,7 +55,7 @@ sigset_t interrupting_signals() {
 
 /// Waits for the signals, which every other thread blocks, so that no handler runs inside arbitrary
 /// code.
-void wait_for_signals(const std::stop_token& end, std::stop_source work) {
+void wait_for_signals(const std::stop_token& end, const std::stop_source& work) {
   constexpr timespec kPoll = {0, 100'000'000};
   const sigset_t signals = interrupting_signals();
   while (!end.stop_requested()) {

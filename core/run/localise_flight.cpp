@@ -216,7 +216,7 @@ RunHeader run_header(const FlightRecording& flight,
 }
 
 Result<LocaliseSummary> localise_flight(const FlightRecording& flight,
-                                        std::shared_ptr<const MapIndex> map,
+                                        const std::shared_ptr<const MapIndex>& map,
                                         const LocaliseRequest& request,
                                         const std::function<Result<void>(const RunStep&)>& record,
                                         const WorkContext& context) {

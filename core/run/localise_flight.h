@@ -43,7 +43,7 @@ struct LocaliseSummary {
 ///         kMalformed (a frame), kCancelled, and whatever `record` returns.
 [[nodiscard]] Result<LocaliseSummary> localise_flight(
     const FlightRecording& flight,
-    std::shared_ptr<const MapIndex> map,
+    const std::shared_ptr<const MapIndex>& map,
     const LocaliseRequest& request,
     const std::function<Result<void>(const RunStep&)>& record,
     const WorkContext& context = {});
