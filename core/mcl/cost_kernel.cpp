@@ -144,8 +144,11 @@ bool is_available(InstructionSet set) {
 }
 
 InstructionSet best_instruction_set() {
-  if (is_available(InstructionSet::kAvx512)) return InstructionSet::kAvx512;
-  return is_available(InstructionSet::kAvx2) ? InstructionSet::kAvx2 : InstructionSet::kPortable;
+  // Gathers set the pace, and wider ones are no faster on the machines measured (tests/benchmarks/REPORT.md).
+  for (const InstructionSet set : {InstructionSet::kAvx2, InstructionSet::kAvx512}) {
+    if (is_available(set)) return set;
+  }
+  return InstructionSet::kPortable;
 }
 
 std::uint32_t sum_costs(const CostRaster& raster,

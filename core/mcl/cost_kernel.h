@@ -54,7 +54,7 @@ struct FixedPose {
 
 enum class InstructionSet { kPortable, kAvx2, kAvx512 };
 
-/// The best one that this machine has. Results do not depend on it, only speed does.
+/// The one that was measured to be fastest of those that this machine has. Results do not depend on it, only speed does.
 [[nodiscard]] InstructionSet best_instruction_set();
 [[nodiscard]] bool is_available(InstructionSet set);
 

@@ -14,7 +14,6 @@ using test::message_of;
 using testing::EndsWith;
 using testing::HasSubstr;
 
-
 TEST(KittiTimestamps, AreSecondsSince1970) {
   const auto times_s = parse_kitti_timestamps(
       "1970-01-01 00:00:00.000000000\n1970-01-02 01:02:03.5\n2011-09-26 13:04:32.345808896\n",
