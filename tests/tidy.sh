@@ -1,33 +1,28 @@
 #!/usr/bin/env bash
-# clang-tidy on the sources that have changed since they were last found clean; on all of them the first time.
+# clang-tidy on the sources that have not been found clean as they are, with the headers and the rules as they are; what was
+# found clean is remembered in the user's cache folder, as ccache does.
 #
-#   bash tests/tidy.sh [FILE...]
+#   bash tests/tidy.sh [FILE...]     the files named, or all of core, app and maps
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 cmake --preset tidy >/dev/null  # again each time, so that new sources are in the compile commands
-stamps=build/tidy/clean
-mkdir -p "$stamps"
-# A file is clean as long as it, every header of ours and the rules are what they were.
-rules=$(find core app maps -name '*.h' -print0 | sort -z | xargs -0 cat .clang-tidy | sha256sum | cut -c1-16)
-dirty=()
-if [ $# -gt 0 ]; then
-  dirty=("$@")
-else
-  while IFS= read -r file; do
-    stamp=$stamps/$(printf '%s %s' "$rules" "$(sha256sum "$file")" | sha256sum | cut -c1-32)
-    [ -e "$stamp" ] || dirty+=("$file")
-  done < <(find core app maps -name '*.cpp' | sort)
-fi
-[ ${#dirty[@]} -eq 0 ] && { echo 'clang-tidy: nothing has changed'; exit 0; }
-echo "clang-tidy: ${#dirty[@]} files"
-check() {
-  local said
+clean=${XDG_CACHE_HOME:-$HOME/.cache}/nadir/tidy
+mkdir -p "$clean"
+
+check() {  # check FILE CLEAN
+  local headers key said
+  headers=$(clang++-14 -std=c++20 -I. -Ibuild/tidy/generated -isystem /usr/include/eigen3 -MM -MG "$1" | tr -d '\\\n' | cut -d: -f2)
+  # shellcheck disable=SC2086  # one word a header
+  key=$2/$(cat .clang-tidy $headers 2>/dev/null | sha256sum | cut -c1-32)
+  [ -e "$key" ] && return
   if ! said=$(clang-tidy-14 --quiet -p build/tidy "$1" 2>&1); then
     printf '%s\n' "$said" | grep -v 'warnings generated' >&2
     return 1
   fi
-  touch "$2/$(printf '%s %s' "$3" "$(sha256sum "$1")" | sha256sum | cut -c1-32)"
+  echo "$1"
+  touch "$key"
 }
 export -f check
-printf '%s\0' "${dirty[@]}" | xargs -0 -P 2 -I{} bash -c 'check "$1" "$2" "$3"' _ {} "$stamps" "$rules"
+if [ $# -gt 0 ]; then printf '%s\0' "$@"; else find core app maps -name '*.cpp' -print0; fi |
+  xargs -0 -P 2 -I{} bash -c 'check "$1" "$2"' _ {} "$clean" | { checked=$(wc -l); echo "clang-tidy: $checked files checked and clean"; }

@@ -7,7 +7,8 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 find_program(NADIR_CCACHE ccache)
 if(NADIR_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${NADIR_CCACHE})
+  # The first two let it keep what was compiled with precompiled headers; ccache's manual explains both.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${NADIR_CCACHE})
 endif()
 
 # $<BOOL:address,undefined> is an error in CMake, hence the plain if().
@@ -53,6 +54,8 @@ function(nadir_add_test path)
   add_executable(${name} ${TEST_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${TEST_DEPENDS} GTest::gmock GTest::gtest_main)
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+  target_precompile_headers(${name} REUSE_FROM test_headers)
   nadir_warnings(${name})
   if(NOT TEST_LABELS)
     set(TEST_LABELS unit)

@@ -1,0 +1,1 @@
+// Compiled to precompile the headers that tests share; see tests/CMakeLists.txt.
