@@ -10,6 +10,9 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/bystanders.h"
+#include "core/base/durability.h"
+
 namespace nadir {
 namespace fs = std::filesystem;
 namespace {
@@ -18,10 +21,16 @@ fs::path without_trailing_slash(const fs::path& path) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-fs::path staged_name(const fs::path& target) {
-  fs::path staged = target;
-  staged += ".partial-" + std::to_string(::getpid());
-  return staged;
+constexpr std::string_view kPartial = ".partial-";
+
+/// Takes away what killed programs have left of the same output, and of an earlier process with
+/// this one's number.
+void clear_partials(const fs::path& target) {
+  std::error_code ignored;
+  for (const fs::path& partial : abandoned_bystanders(target, kPartial)) {
+    fs::remove_all(partial, ignored);
+  }
+  fs::remove_all(bystander_of(target, kPartial), ignored);
 }
 
 Result<void> check_parent(const fs::path& target) {
@@ -77,7 +86,8 @@ Result<StagedOutput> StagedOutput::file(const fs::path& target) {
     return fail(ErrorCode::kIo, "{}: is a folder, not a file", target.string());
   }
   if (const auto parent = check_parent(target); !parent) return forward_error(parent);
-  return StagedOutput(target, staged_name(target));
+  clear_partials(target);
+  return StagedOutput(target, bystander_of(target, kPartial));
 }
 
 Result<StagedOutput> StagedOutput::folder(const fs::path& given,
@@ -90,8 +100,8 @@ Result<StagedOutput> StagedOutput::folder(const fs::path& given,
     return forward_error(free);
   }
   if (const auto parent = check_parent(target); !parent) return forward_error(parent);
-  const fs::path staged = staged_name(target);
-  fs::remove_all(staged, error);
+  clear_partials(target);
+  const fs::path staged = bystander_of(target, kPartial);
   if (!fs::create_directory(staged, error)) {
     return fail(ErrorCode::kIo, "{}: {}", staged.string(), error.message());
   }
@@ -108,24 +118,39 @@ StagedOutput::~StagedOutput() {
 
 Result<void> StagedOutput::commit() {
   std::error_code error;
-  // A folder cannot be renamed over a filled one: the old one steps aside first and goes last, so a
-  // crash loses neither.
-  fs::path old;
-  if (fs::is_directory(target_, error)) {
-    old = target_;
-    old += ".replaced-" + std::to_string(::getpid());
+  if (!fs::exists(staged_, error)) {
+    return fail(ErrorCode::kIo, "{}: is gone before it was complete", staged_.string());
+  }
+  // Before the name, what it stands for: a power cut between the two must not find an empty file.
+  if (const auto written = detail::wait_for_disk(staged_); !written) return forward_error(written);
+  if (fs::is_directory(target_, error)) return replace_folder();
+  fs::rename(staged_, target_, error);
+  if (error) return fail(ErrorCode::kIo, "{}: {}", target_.string(), error.message());
+  staged_.clear();
+  return detail::wait_for_name(target_);
+}
+
+/// A folder cannot be renamed over a filled one. The two change names, and the old one, which then
+/// has the staged name, goes last.
+Result<void> StagedOutput::replace_folder() {
+  std::error_code error;
+  if (!detail::exchange_names(staged_, target_)) {
+    // Without that, the old one steps aside first, and nobody ever takes it away from there but the
+    // line that ends this function, so that a crash loses neither.
+    const fs::path old = bystander_of(target_, ".replaced-");
     fs::rename(target_, old, error);
     if (error) return fail(ErrorCode::kIo, "{}: {}", target_.string(), error.message());
+    fs::rename(staged_, target_, error);
+    if (error) {
+      const std::string reason = error.message();
+      fs::rename(old, target_, error);
+      return fail(ErrorCode::kIo, "{}: {}", target_.string(), reason);
+    }
+    staged_ = old;
   }
-  fs::rename(staged_, target_, error);
-  if (error) {
-    const std::string reason = error.message();
-    if (!old.empty()) fs::rename(old, target_, error);
-    return fail(ErrorCode::kIo, "{}: {}", target_.string(), reason);
-  }
-  staged_.clear();
-  if (!old.empty()) fs::remove_all(old, error);
-  return {};
+  auto named = detail::wait_for_name(target_);
+  fs::remove_all(std::exchange(staged_, {}), error);
+  return named;
 }
 
 Result<void> write_text_file(const fs::path& path, std::string_view text) {

@@ -15,7 +15,13 @@ namespace nadir {
 ///
 /// Write to path(), then commit(). Until then everything lies beside the target in
 /// `NAME.partial-PID`; without commit the destructor removes it, so that a failure or Ctrl+C leaves
-/// what was there before and no half-written output.
+/// what was there before and no half-written output. What a killed program left there of the same
+/// output goes when the next one begins.
+///
+/// A power cut leaves the old output or the new one, whole: commit waits for the disk before it
+/// renames, and for the new name after it (milliseconds for a file, see durability.h for folders).
+/// Where the file system cannot exchange two folders in one step, the old one may then be called
+/// `NAME.replaced-PID`.
 class StagedOutput {
  public:
   /// Replaces an existing file on commit. @errors kIo: the parent folder is missing or not
@@ -35,12 +41,14 @@ class StagedOutput {
   ~StagedOutput();
 
   [[nodiscard]] const std::filesystem::path& path() const { return staged_; }
-  /// Renames to the target. @errors kIo; the staged output is then removed by the destructor.
+  /// Renames to the target when all is on the disk. @errors kIo; the staged output is then removed by the destructor.
   [[nodiscard]] Result<void> commit();
 
  private:
   StagedOutput(std::filesystem::path target, std::filesystem::path staged)
       : target_(std::move(target)), staged_(std::move(staged)) {}
+
+  [[nodiscard]] Result<void> replace_folder();
 
   std::filesystem::path target_;
   std::filesystem::path staged_;  ///< Empty once committed or moved from.

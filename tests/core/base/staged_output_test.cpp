@@ -10,6 +10,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "tests/support/dead_process.h"
 #include "tests/support/error_text.h"
 #include "tests/support/scratch_folder.h"
 
@@ -70,8 +71,31 @@ TEST(StagedFile, AProcessThatDiesHalfWayLeavesTheOldFileWhole) {
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   EXPECT_EQ(read(target), "old");
+  EXPECT_EQ(folder.entries(), 2);
   EXPECT_TRUE(write_text_file(target, "new"));  // what the dead process left is in nobody's way
   EXPECT_EQ(read(target), "new");
+  EXPECT_EQ(folder.entries(), 1) << "and goes";
+}
+
+TEST(StagedFile, LeavesWhatALivingProcessWritesAndWhatIsNoneOfItsOwn) {
+  const ScratchFolder folder;
+  const fs::path target = folder.path() / "run.nadir";
+  const std::vector<fs::path> others = {
+      folder.file("run.nadir.partial-" + std::to_string(::getppid()), "at work"),
+      folder.file("run.nadir.partial-notes", "a note"),
+      folder.file("run.nadir.earlier-" + std::to_string(dead_process()), "an earlier run"),
+      folder.file("other.partial-" + std::to_string(dead_process()), "another output")};
+  EXPECT_TRUE(write_text_file(target, "new"));
+  for (const fs::path& other : others) EXPECT_TRUE(fs::exists(other)) << other;
+}
+
+TEST(StagedFile, ACommitOfWhatWasNeverWrittenSaysSo) {
+  const ScratchFolder folder;
+  const fs::path target = folder.file("run.nadir", "old");
+  auto staged = StagedOutput::file(target);
+  ASSERT_TRUE(staged);
+  EXPECT_THAT(error_text(staged->commit()), HasSubstr("is gone before it was complete"));
+  EXPECT_EQ(read(target), "old");
 }
 
 TEST(StagedFile, AMissingParentIsSaidBeforeAnyWork) {
@@ -156,6 +180,20 @@ TEST(StagedFolder, ReplacesAnEarlierOutputOfTheSameKindWithAllThatWasInIt) {
   EXPECT_EQ(read(target / "flight.toml"), "new");
   EXPECT_FALSE(fs::exists(target / "depth"));
   EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(StagedFolder, ClearsWhatADeadProcessLeftOfTheSameFolder) {
+  const ScratchFolder folder;
+  const std::string partial = "flight.partial-" + std::to_string(dead_process());
+  const std::string replaced = "flight.replaced-" + std::to_string(dead_process());
+  (void)folder.file(partial + "/depth/0.png", "half");
+  (void)folder.file(replaced + "/flight.toml", "perhaps all that there is");
+  auto staged = StagedOutput::folder(folder.path() / "flight" / "", "flight.toml");
+  ASSERT_TRUE(staged) << error_text(staged);
+  EXPECT_FALSE(fs::exists(folder.path() / partial));
+  EXPECT_TRUE(staged->commit());
+  EXPECT_TRUE(fs::exists(folder.path() / replaced)) << "this is never taken away";
+  EXPECT_EQ(folder.entries(), 2);
 }
 
 TEST(StagedFolder, LeavesAFolderOfOtherThingsAlone) {

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/bystanders.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <optional>
+#include <string>
+#include <system_error>
+
+namespace nadir {
+namespace fs = std::filesystem;
+namespace {
+
+/// The process id that a name ends with; nothing where it ends otherwise.
+std::optional<pid_t> process_of(std::string_view name, std::string_view prefix) {
+  if (!name.starts_with(prefix)) return std::nullopt;
+  name.remove_prefix(prefix.size());
+  pid_t process = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), process);
+  if (error != std::errc() || end != name.data() + name.size() || process <= 0) return std::nullopt;
+  return process;
+}
+
+bool is_gone(pid_t process) { return ::kill(process, 0) != 0 && errno == ESRCH; }
+
+}  // namespace
+
+fs::path bystander_of(const fs::path& target, std::string_view infix) {
+  fs::path name = target;
+  name += infix;
+  name += std::to_string(::getpid());
+  return name;
+}
+
+std::vector<fs::path> abandoned_bystanders(const fs::path& target, std::string_view infix) {
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const std::string prefix = target.filename().string() + std::string(infix);
+  std::vector<fs::path> abandoned;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const auto process = process_of(entry->path().filename().string(), prefix);
+    if (process && is_gone(*process)) abandoned.push_back(entry->path());
+  }
+  std::sort(abandoned.begin(), abandoned.end());
+  return abandoned;
+}
+
+}  // namespace nadir

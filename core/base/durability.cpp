@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/durability.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+namespace nadir::detail {
+namespace fs = std::filesystem;
+namespace {
+
+/// Opens, calls `wait(descriptor)` and closes.
+template <typename Wait>
+Result<void> wait_with(const fs::path& path, Wait wait) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  // A folder may be writable and not readable; then there is nothing to wait with.
+  if (descriptor < 0 && errno == EACCES) return {};
+  int reason = descriptor < 0 || wait(descriptor) != 0 ? errno : 0;
+  if (descriptor >= 0) ::close(descriptor);
+  if (reason == EINVAL || reason == ENOSYS || reason == EOPNOTSUPP || reason == EROFS) reason = 0;
+  if (reason == 0) return {};
+  return fail(ErrorCode::kIo, "{}: cannot be written: {}", path.string(),
+              std::generic_category().message(reason));
+}
+
+}  // namespace
+
+Result<void> wait_for_disk(const fs::path& path) {
+  std::error_code error;
+  return wait_with(path, fs::is_directory(path, error) ? ::syncfs : ::fsync);
+}
+
+Result<void> wait_for_name(const fs::path& path) {
+  return wait_with(path.has_parent_path() ? path.parent_path() : fs::path("."), ::fsync);
+}
+
+bool exchange_names(const fs::path& a, const fs::path& b) {
+  return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
+}
+
+}  // namespace nadir::detail
