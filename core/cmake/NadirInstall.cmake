@@ -6,8 +6,12 @@ get_property(modules GLOBAL PROPERTY NADIR_MODULES)
 install(TARGETS nadir_core ${modules} EXPORT nadirTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS nadir RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY core DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/nadir FILES_MATCHING PATTERN "*.h"
-  PATTERN "core/map/crs.h" EXCLUDE)  # private: full of GDAL
+include(core/cmake/NadirPrivateHeaders.cmake)
+set(private_headers)
+foreach(header IN LISTS NADIR_PRIVATE_HEADERS)
+  list(APPEND private_headers PATTERN ${header} EXCLUDE)
+endforeach()
+install(DIRECTORY core DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/nadir FILES_MATCHING PATTERN "*.h" ${private_headers})
 install(DIRECTORY ${PROJECT_BINARY_DIR}/generated/core DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/nadir
   FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY maps/proving-ground DESTINATION ${CMAKE_INSTALL_DATADIR}/nadir/maps)

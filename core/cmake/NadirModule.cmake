@@ -44,7 +44,9 @@ function(nadir_add_module path)
   endforeach()
   target_link_libraries(${name} PUBLIC ${MODULE_PUBLIC_LIBRARIES} PRIVATE ${MODULE_PRIVATE_LIBRARIES})
   nadir_warnings(${name})
-  set_property(GLOBAL APPEND PROPERTY NADIR_MODULES ${name})
+  if(path MATCHES "^core/")  # what is installed as nadir::core
+    set_property(GLOBAL APPEND PROPERTY NADIR_MODULES ${name})
+  endif()
 endfunction()
 
 # nadir_add_test(core/mcl SOURCES a_test.cpp DEPENDS core_sim LABELS unit): one program, one CTest entry a test.

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <array>
-#include <string_view>
 
 #include "core/base/result.h"
 
@@ -35,10 +34,5 @@ struct Affine2 {
   [[nodiscard]] static Affine2 from_gdal(const std::array<double, 6>& geotransform);
   [[nodiscard]] std::array<double, 6> to_gdal() const;
 };
-
-/// Text of a world file: A D B E C F, one a line, where C and F are the *centre* of the upper-left
-/// pixel.
-[[nodiscard]] Result<Affine2> parse_world_file(std::string_view text, const std::string& name);
-[[nodiscard]] std::string world_file_text(const Affine2& plane_from_pixel);
 
 }  // namespace nadir

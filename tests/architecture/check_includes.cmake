@@ -1,5 +1,7 @@
 # Dependencies point one way (design: base < geo < map < topview < mcl; ...; widgets on core; app on all).
 # Run as: cmake -DROOT=<project> -P check_includes.cmake
+cmake_minimum_required(VERSION 3.25)
+
 function(forbid folder pattern)
   file(GLOB_RECURSE files "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.cpp")
   foreach(file IN LISTS files)
@@ -10,8 +12,10 @@ function(forbid folder pattern)
   endforeach()
 endfunction()
 
-# Headers of core are what an embedding program compiles: nothing heavy in them. Headers that only the .cpp files of their own
-# module include, and that are not installed, are named here.
+include(${CMAKE_CURRENT_LIST_DIR}/../../core/cmake/NadirPrivateHeaders.cmake)
+
+# Headers of core are what an embedding program compiles: nothing heavy in them, and nothing that is not installed. The private
+# ones may be heavy where their comment says so; crs.h is the only one.
 function(forbid_in_headers folder pattern)
   file(GLOB_RECURSE files "${ROOT}/${folder}/*.h")
   list(REMOVE_ITEM files "${ROOT}/core/map/crs.h")
@@ -20,6 +24,28 @@ function(forbid_in_headers folder pattern)
     foreach(hit IN LISTS hits)
       message(SEND_ERROR "${file}: ${hit}: headers of core are light")
     endforeach()
+  endforeach()
+endfunction()
+
+function(check_private_headers)
+  file(GLOB_RECURSE headers RELATIVE "${ROOT}" "${ROOT}/core/*.h")
+  file(GLOB_RECURSE outside RELATIVE "${ROOT}" "${ROOT}/app/*.h" "${ROOT}/app/*.cpp" "${ROOT}/maps/*.h" "${ROOT}/maps/*.cpp"
+    "${ROOT}/tests/consumer/*.cpp")
+  foreach(file IN LISTS headers outside)
+    if(file IN_LIST NADIR_PRIVATE_HEADERS)
+      continue()
+    endif()
+    file(STRINGS "${ROOT}/${file}" hits REGEX "^#include \"core/")
+    foreach(hit IN LISTS hits)
+      string(REGEX REPLACE "^#include \"([^\"]*)\".*" "\\1" included "${hit}")
+      if(included IN_LIST NADIR_PRIVATE_HEADERS)
+        message(SEND_ERROR "${file}: ${hit}: a private header, which is not installed")
+      endif()
+    endforeach()
+    file(STRINGS "${ROOT}/${file}" detail REGEX "^namespace nadir::detail")
+    if(detail AND file IN_LIST headers)
+      message(SEND_ERROR "${file}: is in nadir::detail, so it belongs into core/cmake/NadirPrivateHeaders.cmake")
+    endif()
   endforeach()
 endfunction()
 
@@ -37,3 +63,4 @@ forbid(core/sim "core/(label|segment|mcl|eval|run|session)/")
 forbid(core/eval "core/(map|label|segment|topview|mcl|flight|sim|run|session)/")
 forbid(core/run "core/session/")
 forbid_in_headers(core "pcl/|opencv2/|gdal|ogr|toml|nlohmann|sqlite3|zstd|tbb/|oneapi/|CLI/")
+check_private_headers()

@@ -1,4 +1,6 @@
 # Installs the build to a scratch prefix, builds the consumer project against it and runs it; then the same with the program.
+cmake_minimum_required(VERSION 3.25)
+
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -9,7 +11,20 @@ endfunction()
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK}/empty)
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
-run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_BUILD_TYPE=${BUILD_TYPE})
+# Every header that is installed can be included, and none of the private ones is there.
+include(${CMAKE_CURRENT_LIST_DIR}/../../core/cmake/NadirPrivateHeaders.cmake)
+file(GLOB_RECURSE headers RELATIVE ${WORK}/prefix/include/nadir ${WORK}/prefix/include/nadir/*.h)
+list(SORT headers)
+set(all_headers)
+foreach(header IN LISTS headers)
+  if(header IN_LIST NADIR_PRIVATE_HEADERS)
+    message(FATAL_ERROR "${header}: is private, but was installed")
+  endif()
+  string(APPEND all_headers "#include \"${header}\"\n")
+endforeach()
+file(WRITE ${WORK}/all_headers.cpp "${all_headers}")
+run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
+  -DADDITIONAL_SOURCE=${WORK}/all_headers.cpp)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/embedded_localiser)
 

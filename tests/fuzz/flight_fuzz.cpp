@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/flight/colour_image.h"
 #include "core/flight/flight_recording.h"
 #include "core/flight/flight_settings.h"
 #include "core/flight/frame_image.h"
@@ -72,6 +73,9 @@ void check_images(std::span<const std::uint8_t> bytes) {
     fuzz_check(std::all_of(depth_m->values().begin(), depth_m->values().end(), is_depth),
                "depth is in range");
   }
+  const auto colours = nadir::decode_colour_image(bytes, kName);
+  fuzz_check_error(colours, kName);
+  if (colours) fuzz_check(!colours->empty(), "a picture has pixels");
 }
 
 void check_kitti(std::string_view text) {

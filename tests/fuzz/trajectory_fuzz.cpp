@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "core/geo/affine2.h"
 #include "core/geo/trajectory_file.h"
 #include "tests/fuzz/fuzz_check.h"
 
@@ -72,13 +71,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   nadir::fuzz_check_error(times_s, kName);
   if (times_s) {
     fuzz_check(std::is_sorted(times_s->begin(), times_s->end()), "times are sorted");
-  }
-
-  const auto world = nadir::parse_world_file(text, kName);
-  nadir::fuzz_check_error(world, kName);
-  if (world) {
-    fuzz_check(world->inverse().has_value(), "a world file has an inverse");
-    (void)nadir::world_file_text(*world);
   }
   return 0;
 }

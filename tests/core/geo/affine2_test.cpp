@@ -87,55 +87,5 @@ TEST(Affine2, CoordinatesBeyond32BitsKeepTheirMetres) {
   EXPECT_EQ(*pixel_from_plane * Eigen::Vector2d(5e9 + 3.0, -7e9 - 4.0), Eigen::Vector2d(3.0, 4.0));
 }
 
-TEST(WorldFile, GivesTheCentreOfTheUpperLeftPixel) {
-  const auto plane_from_pixel = parse_world_file("0.5\n0\n0\n-0.5\n1000.25\n1999.75\n", "city.pgw");
-  ASSERT_TRUE(plane_from_pixel) << error_text(plane_from_pixel);
-  EXPECT_THAT(plane_from_pixel->to_gdal(), ElementsAre(1000.0, 0.5, 0.0, 2000.0, 0.0, -0.5));
-}
-
-TEST(WorldFile, NumbersComeInTheOrderADBECF) {
-  // x = A column + B row + C, y = D column + E row + F about the centre of the first pixel.
-  const auto plane_from_pixel = parse_world_file("2\n3\n5\n-7\n100\n200\n", "city.pgw");
-  ASSERT_TRUE(plane_from_pixel) << error_text(plane_from_pixel);
-  EXPECT_EQ(*plane_from_pixel * Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d(100.0, 200.0));
-  EXPECT_EQ(*plane_from_pixel * Eigen::Vector2d(1.5, 0.5), Eigen::Vector2d(102.0, 203.0));
-  EXPECT_EQ(*plane_from_pixel * Eigen::Vector2d(0.5, 1.5), Eigen::Vector2d(105.0, 193.0));
-}
-
-TEST(WorldFile, ARotatedImageReadsBackInItsPlace) {
-  const Affine2 written = rotated_image();
-  const auto read = parse_world_file(world_file_text(written), "city.pgw");
-  ASSERT_TRUE(read) << error_text(read);
-  EXPECT_EQ(read->linear, written.linear);
-  EXPECT_TRUE(read->offset.isApprox(written.offset, 1e-15));
-}
-
-TEST(WorldFile, KeepsTwelveDigitsOfDegreesAndMore) {
-  const Affine2 written =
-      Affine2::from_gdal({8.387722123456, 1.23456789012e-6, 0.0, 48.987721654321, 0.0, -1e-6});
-  const auto read = parse_world_file(world_file_text(written), "city.pgw");
-  ASSERT_TRUE(read) << error_text(read);
-  EXPECT_NEAR(read->offset.x(), written.offset.x(), 1e-14);
-  EXPECT_EQ(read->linear(0, 0), written.linear(0, 0));
-}
-
-TEST(WorldFile, ReadsLineEndsOfWindowsAndBlankLines) {
-  EXPECT_TRUE(parse_world_file("0.5\r\n0\r\n0\r\n-0.5\r\n1000.25\r\n1999.75\r\n\r\n", "city.pgw"));
-}
-
-TEST(WorldFile, EachFaultHasItsSentence) {
-  EXPECT_THAT(error_text(parse_world_file("1\n0\n0\n-1\n5\n", "a.pgw")),
-              HasSubstr("a.pgw: holds 5 numbers, but a world file has six"));
-  EXPECT_THAT(error_text(parse_world_file("1\n0\n0\n-1\n5\n6\n7\n", "a.pgw")),
-              HasSubstr("holds 7"));
-  EXPECT_THAT(error_text(parse_world_file("1 0\n0\n-1\n5\n6\n", "a.pgw")),
-              HasSubstr("line 1: has 2"));
-  EXPECT_THAT(error_text(parse_world_file("1\n0\n0\n-1\nnan\n6\n", "a.pgw")), HasSubstr("line 5"));
-  EXPECT_THAT(error_text(parse_world_file("0,5\n0\n0\n-1\n1\n6\n", "a.pgw")), HasSubstr("line 1"));
-  EXPECT_THAT(error_text(parse_world_file("0\n0\n0\n0\n5\n6\n", "a.pgw")),
-              HasSubstr("a.pgw: georeference: is singular"));
-  EXPECT_THAT(error_text(parse_world_file("", "a.pgw")), HasSubstr("holds 0 numbers"));
-}
-
 }  // namespace
 }  // namespace nadir

@@ -1,0 +1,35 @@
+# Headers that only sources of core include: they are not installed, and no header that is installed includes one.
+# tests/architecture/check_includes.cmake checks that, and that everything in nadir::detail is listed.
+set(NADIR_PRIVATE_HEADERS
+  core/base/bystanders.h
+  core/base/durability.h
+  core/base/hash.h
+  core/eval/report_keys.h
+  core/flight/colour_image.h
+  core/flight/flight_formats.h
+  core/flight/flight_settings.h
+  core/flight/frame_image.h
+  core/flight/frame_list.h
+  core/flight/grey_image.h
+  core/flight/kitti_raw_text.h
+  core/flight/text_fields.h
+  core/geo/number_lines.h
+  core/map/class_images.h
+  core/map/crs.h
+  core/map/gdal_raster.h
+  core/map/label_tiff.h
+  core/map/map_warp.h
+  core/map/squared_distances.h
+  core/mcl/pose_bins.h
+  core/run/run_blobs.h
+  core/run/run_connection.h
+  core/run/run_lock.h
+  core/run/run_row.h
+  core/run/run_schema.h
+  core/run/sqlite_database.h
+  core/sim/column_ray.h
+  core/sim/ground.h
+  core/sim/object_kind.h
+  core/sim/world_colours.h
+  core/sim/world_objects.h
+  core/topview/point_file_header.h)
