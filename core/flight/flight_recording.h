@@ -19,6 +19,7 @@ namespace nadir {
 
 /// One instant of the camera: where its files are. Small; the pixels are read by
 /// FlightRecording::load when they are needed.
+/// An image is for people (read_colour_image); depth and labels are what is localised with.
 struct FlightFrame {
   double time_s = 0.0;
   std::optional<std::filesystem::path> image, depth, labels;
@@ -46,6 +47,10 @@ struct FlightDescription {
   std::optional<Trajectory> truth;  ///< enu_from_body.
   std::optional<Geodetic>
       truth_origin;  ///< Origin of the project plane that `truth` is given in, where known.
+  /// Where odometry and truth were read from: a file, or a folder of packets. Empty without them.
+  std::filesystem::path odometry_source = {}, truth_source = {};
+  /// Files that could be the odometry as well, and were left aside.
+  std::vector<std::filesystem::path> other_odometry = {};
 };
 
 /// A recorded flight, read lazily by time.

@@ -6,12 +6,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/base/require.h"
-
 namespace nadir {
 namespace {
 
-constexpr double kGapInMedians = 1.8;
 constexpr double kLongestRelativeTimeS = 1e7;
 constexpr TimeSpan kPlausibleEpoch{946'684'800.0, 4'102'444'800.0};  // 2000 to 2100.
 
@@ -148,39 +145,56 @@ void note_gaps(const StreamSummary& stream, std::vector<std::string>& notices) {
                                 longest->length_s(), longest->start_s));
 }
 
+void note_duplicates(const StreamSummary& stream, std::vector<std::string>& notices) {
+  if (stream.duplicates == 0) return;
+  notices.push_back(fmt::format(
+      "{}: {} of {} samples come as good as at the time of the one before; rate, jitter "
+      "and gaps leave them out",
+      stream.name, stream.duplicates, stream.count));
+}
+
+/// "the odometry is poses_a.txt, the first by name; poses_b.txt is left aside".
+void note_choice(const FlightDescription& flight, std::vector<std::string>& notices) {
+  if (flight.other_odometry.empty()) return;
+  std::string others;
+  for (const auto& file : flight.other_odometry) {
+    others += (others.empty() ? "" : ", ") + file.filename().string();
+  }
+  notices.push_back(fmt::format("the odometry is {}, the first by name; left aside: {}",
+                                flight.odometry_source.filename().string(), others));
+}
+
+/// As the user would type it: seen from the flight where it lies inside.
+std::string shown_source(const std::filesystem::path& source, const std::filesystem::path& flight) {
+  const std::filesystem::path inside = source.lexically_relative(flight);
+  if (inside.empty() || inside == "." || *inside.begin() == "..") return source.filename().string();
+  return inside.string();
+}
+
 }  // namespace
 
-StreamSummary summarise_stream(std::string name, const std::vector<double>& times_s) {
-  NADIR_REQUIRE(!times_s.empty());
-  StreamSummary stream;
-  stream.name = std::move(name);
-  stream.count = times_s.size();
-  stream.span = {times_s.front(), times_s.back()};
-  if (times_s.size() < 2) return stream;
-
-  std::vector<double> intervals_s;
-  intervals_s.reserve(times_s.size() - 1);
-  for (std::size_t i = 1; i < times_s.size(); ++i) {
-    intervals_s.push_back(times_s[i] - times_s[i - 1]);
+double way_in_pieces_m(const Trajectory& trajectory, double piece_m) {
+  if (trajectory.empty()) return 0.0;
+  const auto place = [](const TimedPose& timed) -> Eigen::Vector2d {
+    return timed.pose.translation_m.head<2>();
+  };
+  Eigen::Vector2d last_m = place(trajectory.poses().front());
+  double way_m = 0.0;
+  for (const TimedPose& timed : trajectory.poses()) {
+    const double step_m = (place(timed) - last_m).norm();
+    if (step_m < piece_m) continue;
+    way_m += step_m;
+    last_m = place(timed);
   }
-  std::vector<double> sorted_s = intervals_s;
-  std::sort(sorted_s.begin(), sorted_s.end());
-  const std::size_t middle = sorted_s.size() / 2;
-  const double median_s =
-      sorted_s.size() % 2 == 1 ? sorted_s[middle] : 0.5 * (sorted_s[middle - 1] + sorted_s[middle]);
-  stream.rate_hz = 1.0 / median_s;
+  return way_m + (place(trajectory.poses().back()) - last_m).norm();
+}
 
-  double sum = 0.0;
-  for (std::size_t i = 0; i < intervals_s.size(); ++i) {
-    if (intervals_s[i] > kGapInMedians * median_s) {
-      stream.gaps.push_back({times_s[i], times_s[i + 1]});
-    } else {
-      sum += (intervals_s[i] - median_s) * (intervals_s[i] - median_s);
-    }
-  }
-  // At least half of the intervals are no longer than the median, so the divisor is never 0.
-  stream.jitter_s = std::sqrt(sum / static_cast<double>(intervals_s.size() - stream.gaps.size()));
-  return stream;
+std::string centre_text(const CameraModel& camera) {
+  return fmt::format(
+      "({:.2f}, {:.2f}) px where pixel centres are at +0.5, ({:.2f}, {:.2f}) px where they are "
+      "whole "
+      "numbers, as in flight.toml, OpenCV and ROS",
+      camera.centre_x_px, camera.centre_y_px, camera.centre_x_px - 0.5, camera.centre_y_px - 0.5);
 }
 
 FlightSummary summarise_flight(const FlightDescription& flight) {
@@ -191,10 +205,17 @@ FlightSummary summarise_flight(const FlightDescription& flight) {
   add("images", times_of(flight.frames, &FlightFrame::image));
   add("depth", times_of(flight.frames, &FlightFrame::depth));
   add("labels", times_of(flight.frames, &FlightFrame::labels));
-  if (flight.odometry) add("odometry", times_of(*flight.odometry));
-  if (flight.truth) add("truth", times_of(*flight.truth));
+  const auto add_poses = [&](const char* name, const std::optional<Trajectory>& trajectory,
+                             const std::filesystem::path& source) {
+    if (!trajectory || trajectory->empty()) return;
+    add(name, times_of(*trajectory));
+    if (!source.empty()) summary.streams.back().source = shown_source(source, flight.path);
+  };
+  add_poses("odometry", flight.odometry, flight.odometry_source);
+  add_poses("truth", flight.truth, flight.truth_source);
   if (flight.odometry && !flight.odometry->empty()) {
-    summary.odometry_length_m = flight.odometry->planar_length_m();
+    summary.odometry_length_m = way_in_pieces_m(*flight.odometry, kWayPieceM);
+    summary.odometry_summed_m = flight.odometry->planar_length_m();
   }
   if (flight.truth && !flight.truth->empty()) {
     summary.truth_length_m = flight.truth->planar_length_m();
@@ -202,6 +223,7 @@ FlightSummary summarise_flight(const FlightDescription& flight) {
   summary.overlap = overlap_of(summary);
 
   note_missing(flight, summary, summary.notices);
+  note_choice(flight, summary.notices);
   for (const StreamSummary& stream : summary.streams) {
     if (!check_clock(stream, summary.notices)) summary.are_times_sane = false;
   }
@@ -214,7 +236,10 @@ FlightSummary summarise_flight(const FlightDescription& flight) {
     if (stream != nullptr && leading != nullptr && stream != leading)
       note_cover(*stream, *leading, summary.notices);
   }
-  for (const StreamSummary& stream : summary.streams) note_gaps(stream, summary.notices);
+  for (const StreamSummary& stream : summary.streams) {
+    note_duplicates(stream, summary.notices);
+    note_gaps(stream, summary.notices);
+  }
   return summary;
 }
 

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "core/base/staged_output.h"
+#include "core/flight/colour_image.h"
 #include "core/flight/flight_settings.h"
 #include "core/flight/frame_image.h"
 #include "core/flight/grey_image.h"
@@ -36,7 +37,8 @@ std::string_view as_text(const std::vector<std::uint8_t>& bytes) {
 
 }  // namespace
 
-Result<EncodedFrame> encode_frame(const SemanticFrame& frame) {
+Result<EncodedFrame> encode_frame(const SemanticFrame& frame,
+                                  const std::optional<ColourRaster>& image) {
   const auto wrong = [&](std::string_view fault) {
     return fail(ErrorCode::kMalformed, "frame at {} s: {}", frame.time_s, fault);
   };
@@ -56,7 +58,13 @@ Result<EncodedFrame> encode_frame(const SemanticFrame& frame) {
   if (!labels_png) return forward_error(labels_png);
   auto depth_png = encode_depth_png(depth_m);
   if (!depth_png) return forward_error(depth_png);
-  return EncodedFrame{frame.time_s, *std::move(labels_png), *std::move(depth_png)};
+  EncodedFrame encoded{frame.time_s, *std::move(labels_png), *std::move(depth_png)};
+  if (!image) return encoded;
+  if (image->empty()) return wrong("its image has no pixels");
+  auto image_jpeg = encode_colour_jpeg(*image);
+  if (!image_jpeg) return forward_error(image_jpeg);
+  encoded.image_jpeg = *std::move(image_jpeg);
+  return encoded;
 }
 
 struct FlightWriter::Implementation {
@@ -65,14 +73,22 @@ struct FlightWriter::Implementation {
   FlightSettings settings;
   std::string label_list = "# time_s file: class ids, 8 bit, 255 = unclassified\n";
   std::string depth_list = "# time_s file: along the optical axis, 16 bit, 0 = none\n";
+  std::string image_list = {};  ///< Empty until a frame has an image.
   std::size_t frame_count = 0;
   double last_time_s = 0.0;
 
   [[nodiscard]] Result<void> write_text(const char* name, std::string_view text) const {
     return write_file(output.path() / name, folder / name, text);
   }
+  [[nodiscard]] Result<void> make_folder(const char* name) const {
+    std::error_code error;
+    fs::create_directory(output.path() / name, error);
+    if (!error) return {};
+    return fail(ErrorCode::kIo, "{}: {}", (folder / name).string(), error.message());
+  }
   [[nodiscard]] Result<void> write_image(const std::string& name,
                                          const std::vector<std::uint8_t>& png) const;
+  [[nodiscard]] Result<void> write_colours(const EncodedFrame& frame);
 };
 
 Result<void> FlightWriter::Implementation::write_image(const std::string& name,
@@ -87,6 +103,21 @@ Result<void> FlightWriter::Implementation::write_image(const std::string& name,
                 settings.camera->height);
   }
   return write_file(output.path() / name, shown, as_text(png));
+}
+
+Result<void> FlightWriter::Implementation::write_colours(const EncodedFrame& frame) {
+  if (frame.image_jpeg.empty()) return {};
+  const std::string name = fmt::format("rgb/{:06}.jpg", frame_count);
+  if (!is_jpeg(frame.image_jpeg)) {
+    return fail(ErrorCode::kMalformed, "{}: is no JPEG", (folder / name).string());
+  }
+  if (image_list.empty()) {
+    if (const auto made = make_folder("rgb"); !made) return forward_error(made);
+    image_list = "# time_s file: what the camera saw\n";
+  }
+  auto done = write_file(output.path() / name, folder / name, as_text(frame.image_jpeg));
+  if (done) image_list += fmt::format("{} {}\n", frame.time_s, name);
+  return done;
 }
 
 FlightWriter::FlightWriter(std::unique_ptr<Implementation> implementation)
@@ -108,19 +139,19 @@ Result<FlightWriter> FlightWriter::create(const fs::path& folder,
   const auto readable = parse_flight_settings(flight_settings_text(settings), folder.string());
   if (!readable) return forward_error(readable);
 
-  static constexpr std::array<std::string_view, 7> kEntries = {
-      "flight.toml", "labels", "depth", "labels.txt", "depth.txt", "odometry.txt", "truth.txt"};
+  static constexpr std::array<std::string_view, 9> kEntries = {
+      "flight.toml", "labels",  "depth",        "rgb",      "labels.txt",
+      "depth.txt",   "rgb.txt", "odometry.txt", "truth.txt"};
   auto output = StagedOutput::folder(folder, kEntries.front(), kEntries);
   if (!output) return forward_error(output);
+  FlightWriter writer(std::make_unique<Implementation>(
+      Implementation{*std::move(output), folder, std::move(settings)}));
   for (const char* name : {"labels", "depth"}) {
-    std::error_code error;
-    fs::create_directory(output->path() / name, error);
-    if (error) {
-      return fail(ErrorCode::kIo, "{}: {}", (folder / name).string(), error.message());
+    if (const auto made = writer.implementation_->make_folder(name); !made) {
+      return forward_error(made);
     }
   }
-  return FlightWriter(std::make_unique<Implementation>(
-      Implementation{*std::move(output), folder, std::move(settings)}));
+  return writer;
 }
 
 Result<void> FlightWriter::write(const EncodedFrame& frame) {
@@ -136,6 +167,7 @@ Result<void> FlightWriter::write(const EncodedFrame& frame) {
     return forward_error(done);
   if (const auto done = flight.write_image(depth, frame.depth_png); !done)
     return forward_error(done);
+  if (const auto done = flight.write_colours(frame); !done) return forward_error(done);
   flight.label_list += fmt::format("{} {}\n", frame.time_s, labels);
   flight.depth_list += fmt::format("{} {}\n", frame.time_s, depth);
   flight.last_time_s = frame.time_s;
@@ -148,6 +180,7 @@ Result<void> FlightWriter::finish(const std::optional<Trajectory>& odometry,
   Implementation& flight = *implementation_;
   Result<void> done = flight.write_text("labels.txt", flight.label_list);
   if (done) done = flight.write_text("depth.txt", flight.depth_list);
+  if (done && !flight.image_list.empty()) done = flight.write_text("rgb.txt", flight.image_list);
   if (done && odometry && !odometry->empty()) {
     done = flight.write_text("odometry.txt",
                              tum_text(*odometry, "odom_from_body: time_s x y z qx qy qz qw"));

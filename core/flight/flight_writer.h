@@ -10,6 +10,7 @@
 
 #include "core/base/result.h"
 #include "core/flight/flight_recording.h"
+#include "core/map/overhead_map_file.h"
 
 namespace nadir {
 
@@ -20,8 +21,13 @@ struct EncodedFrame {
   std::vector<std::uint8_t> labels_png;  ///< 8 bit, class ids.
   std::vector<std::uint8_t>
       depth_png;  ///< 16 bit, millimetres, 0 = none; beyond 65.535 m counts as none.
+  std::vector<std::uint8_t> image_jpeg = {};  ///< What the camera saw; may be empty.
 };
-[[nodiscard]] Result<EncodedFrame> encode_frame(const SemanticFrame& frame);
+/// @param image  What the camera saw, where that is known, in any size.
+/// @errors kMalformed: a time that is not finite, no labels, another size of depth, ids that are no
+/// class, an image without pixels; kIo: an encoder gave up.
+[[nodiscard]] Result<EncodedFrame> encode_frame(
+    const SemanticFrame& frame, const std::optional<ColourRaster>& image = std::nullopt);
 
 /// Writes a native flight folder (core/flight/README.md). Nothing stands under the flight's own
 /// name before finish().
@@ -36,7 +42,9 @@ class FlightWriter {
   FlightWriter(FlightWriter&&) noexcept;
   ~FlightWriter();
 
-  /// Frames must come in order of time. @errors kIo (disk full).
+  /// Frames must come in order of time. Those without an image are left out of rgb.txt; a flight
+  /// without any has no rgb.txt. @errors kMalformed (order, sizes, no PNG or JPEG), kIo (disk
+  /// full).
   [[nodiscard]] Result<void> write(const EncodedFrame& frame);
   /// Writes lists, trajectories and flight.toml, and gives the folder its name.
   [[nodiscard]] Result<void> finish(const std::optional<Trajectory>& odometry,

@@ -37,28 +37,67 @@ std::uint32_t word_at(Bytes bytes, std::size_t at) {
          (static_cast<std::uint32_t>(bytes[at + 2]) << 8U) | bytes[at + 3];
 }
 
-Result<GreyImageHeader> read_ihdr(Bytes data, const std::string& name) {
+/// What the first part of a PNG says.
+struct PngHeader {
+  std::uint32_t width = 0, height = 0;
+  int bits = 0;
+  int colour_type = 0;
+};
+
+Result<PngHeader> read_ihdr(Bytes data, const std::string& name) {
   constexpr std::size_t kLength = 13;
   if (data.size() != kLength) {
     return fail(ErrorCode::kMalformed, "{}: is a damaged PNG without a header", name);
   }
-  const std::uint32_t width = word_at(data, 0);
-  const std::uint32_t height = word_at(data, 4);
-  const int bits = data[8];
-  const int colour_type = data[9];
-  if (colour_type != 0) {
+  return PngHeader{word_at(data, 0), word_at(data, 4), data[8], data[9]};
+}
+
+Result<void> check_size(const PngHeader& header, const std::string& name) {
+  const auto [width, height, bits, colour_type] = header;
+  if (width >= 1 && height >= 1 && width <= kLargestSide && height <= kLargestSide) return {};
+  return fail(ErrorCode::kMalformed, "{}: cannot be {} x {} pixels", name, width, height);
+}
+
+Result<void> check_grey(const PngHeader& header, const std::string& name) {
+  if (header.colour_type != 0) {
     return fail(ErrorCode::kMalformed, "{}: {}, but it must be grey", name,
-                colour_type == 3   ? "has a palette"
-                : colour_type == 4 ? "has transparency"
-                                   : "is in colour");
+                header.colour_type == 3   ? "has a palette"
+                : header.colour_type == 4 ? "has transparency"
+                                          : "is in colour");
   }
-  if (bits != 8 && bits != 16) {
-    return fail(ErrorCode::kMalformed, "{}: has {} bits a pixel, not 8 or 16", name, bits);
+  if (header.bits != 8 && header.bits != 16) {
+    return fail(ErrorCode::kMalformed, "{}: has {} bits a pixel, not 8 or 16", name, header.bits);
   }
-  if (width < 1 || height < 1 || width > kLargestSide || height > kLargestSide) {
-    return fail(ErrorCode::kMalformed, "{}: cannot be {} x {} pixels", name, width, height);
+  return {};
+}
+
+/// Walks through all parts. `check` looks at the header before the rest is looked at.
+template <typename Check>
+Result<PngHeader> walk_png(Bytes bytes, const std::string& name, Check check) {
+  const auto cut_off = [&] {
+    return fail(ErrorCode::kMalformed, "{}: is cut off after {} bytes", name, bytes.size());
+  };
+  constexpr std::size_t kFrame = 12;  // Length, type and checksum around the data of a part.
+  std::optional<PngHeader> header;
+  for (std::size_t at = kPngSignature.size();;) {
+    if (at > bytes.size() || bytes.size() - at < kFrame) return cut_off();
+    const std::size_t length = word_at(bytes, at);
+    if (length > bytes.size() - at - kFrame) return cut_off();
+    const std::string type(bytes.begin() + static_cast<std::ptrdiff_t>(at + 4),
+                           bytes.begin() + static_cast<std::ptrdiff_t>(at + 8));
+    if (crc_of(bytes.subspan(at + 4, length + 4)) != word_at(bytes, at + 8 + length)) {
+      return fail(ErrorCode::kMalformed, "{}: is damaged, for a checksum is wrong", name);
+    }
+    if (!header) {
+      const auto read = read_ihdr(type == "IHDR" ? bytes.subspan(at + 8, length) : Bytes(), name);
+      if (!read) return forward_error(read);
+      header = *read;
+      if (const auto good = check(*header); !good) return forward_error(good);
+      if (const auto good = check_size(*header, name); !good) return forward_error(good);
+    }
+    if (type == "IEND") return *header;
+    at += length + kFrame;
   }
-  return GreyImageHeader{static_cast<int>(width), static_cast<int>(height), bits};
 }
 
 /// The next number of a PGM header; `#` starts a comment up to the end of the line. Nothing where
@@ -97,29 +136,17 @@ bool is_png(Bytes bytes) {
 bool is_pgm(Bytes bytes) { return bytes.size() >= 2 && bytes[0] == 'P' && bytes[1] == '5'; }
 
 Result<GreyImageHeader> check_png(Bytes bytes, const std::string& name) {
-  const auto cut_off = [&] {
-    return fail(ErrorCode::kMalformed, "{}: is cut off after {} bytes", name, bytes.size());
-  };
-  constexpr std::size_t kFrame = 12;  // Length, type and checksum around the data of a part.
-  std::optional<GreyImageHeader> header;
-  for (std::size_t at = kPngSignature.size();;) {
-    if (at > bytes.size() || bytes.size() - at < kFrame) return cut_off();
-    const std::size_t length = word_at(bytes, at);
-    if (length > bytes.size() - at - kFrame) return cut_off();
-    const std::string type(bytes.begin() + static_cast<std::ptrdiff_t>(at + 4),
-                           bytes.begin() + static_cast<std::ptrdiff_t>(at + 8));
-    if (crc_of(bytes.subspan(at + 4, length + 4)) != word_at(bytes, at + 8 + length)) {
-      return fail(ErrorCode::kMalformed, "{}: is damaged, for a checksum is wrong", name);
-    }
-    const Bytes data = bytes.subspan(at + 8, length);
-    if (!header) {
-      const auto read = read_ihdr(type == "IHDR" ? data : Bytes(), name);
-      if (!read) return forward_error(read);
-      header = *read;
-    }
-    if (type == "IEND") return *header;
-    at += length + kFrame;
-  }
+  const auto header =
+      walk_png(bytes, name, [&](const PngHeader& found) { return check_grey(found, name); });
+  if (!header) return forward_error(header);
+  return GreyImageHeader{static_cast<int>(header->width), static_cast<int>(header->height),
+                         header->bits};
+}
+
+Result<void> check_any_png(Bytes bytes, const std::string& name) {
+  const auto header = walk_png(bytes, name, [](const PngHeader&) { return Result<void>(); });
+  if (!header) return forward_error(header);
+  return {};
 }
 
 Result<GreyImageHeader> check_pgm(Bytes bytes, const std::string& name) {

@@ -9,7 +9,7 @@
 
 #include "core/base/result.h"
 
-/// The headers of the two image formats that flights are made of, looked at before anything is
+/// The headers of the image formats that labels and depth are made of, looked at before anything is
 /// decoded: a file that is cut off, damaged or of another kind is told from its header and
 /// checksums, so that no library has to stumble over it. Private to core/flight.
 namespace nadir {
@@ -29,6 +29,10 @@ struct GreyImageHeader {
 /// 0..255).
 [[nodiscard]] Result<GreyImageHeader> check_png(std::span<const std::uint8_t> bytes,
                                                 const std::string& name);
+
+/// The same walk for a PNG of any kind, colours, palettes and few bits too.
+[[nodiscard]] Result<void> check_any_png(std::span<const std::uint8_t> bytes,
+                                         const std::string& name);
 
 /// @errors kMalformed: no header, or fewer pixels than it promises.
 [[nodiscard]] Result<GreyImageHeader> check_pgm(std::span<const std::uint8_t> bytes,

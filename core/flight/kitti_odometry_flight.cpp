@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "core/base/require.h"
@@ -49,11 +50,15 @@ FlightResult open_kitti_odometry_flight(const fs::path& folder) {
     auto truth = read_trajectory(*truth_file, folder / "times.txt");
     if (!truth) return forward_error(truth);
     flight.truth = *std::move(truth);
+    flight.truth_source = *truth_file;
   }
   if (odometry_file != files.end()) {
     auto odometry = read_trajectory(*odometry_file, folder / "times.txt");
     if (!odometry) return forward_error(odometry);
     flight.odometry = *std::move(odometry);
+    flight.odometry_source = *odometry_file;
+    std::copy_if(odometry_file + 1, files.end(), std::back_inserter(flight.other_odometry),
+                 [&](const fs::path& path) { return !is_truth(path); });
   }
   return std::make_unique<UnlabelledFlight>(std::move(flight));
 }

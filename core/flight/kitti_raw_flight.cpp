@@ -142,6 +142,8 @@ FlightResult open_kitti_raw_flight(const fs::path& folder) {
     flight.truth = *std::move(truth);
     flight.truth_origin = packets->front().position;
     flight.odometry = *std::move(odometry);
+    flight.truth_source = folder / "oxts";
+    flight.odometry_source = folder / "oxts";
   }
   if (const auto calibration = calibration_folder(folder)) {
     const auto mount = read_camera(*calibration);

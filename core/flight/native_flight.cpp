@@ -172,6 +172,8 @@ FlightResult open_native_flight(const fs::path& given) {
   flight.odometry = *std::move(odometry);
   flight.truth = *std::move(truth);
   flight.truth_origin = settings->truth_origin;
+  if (flight.odometry) flight.odometry_source = folder / "odometry.txt";
+  if (flight.truth) flight.truth_source = folder / "truth.txt";
   return std::make_unique<NativeFlight>(std::move(flight), settings->depth_units_per_m);
 }
 

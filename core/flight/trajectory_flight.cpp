@@ -48,6 +48,7 @@ FlightResult open_trajectory_flight(const fs::path& file) {
   flight.format = column_count(file) == kKittiColumns ? "KITTI odometry" : "TUM trajectory";
   flight.path = file;
   flight.odometry = *std::move(trajectory);
+  flight.odometry_source = file;
   return std::make_unique<UnlabelledFlight>(std::move(flight));
 }
 

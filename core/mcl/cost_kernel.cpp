@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/require.h"
 
@@ -116,6 +117,10 @@ __attribute__((target("avx512f,avx512bw"))) std::uint32_t sum_avx512(
 
 FixedPose fixed_pose(const Rigid2& enu_from_body, const OverheadMap& map) {
   NADIR_REQUIRE(map.labels.width() <= kMaxMapSide && map.labels.height() <= kMaxMapSide);
+  if (!std::isfinite(enu_from_body.yaw_rad)) {
+    constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+    return fixed_pose({kNowhere, kNowhere, 0.0}, map);
+  }
   const Eigen::Vector2d body_in_overhead = map.overhead_from_enu(enu_from_body.translation_m());
   // The border of one cell moves everything by one; NaN is sent off the map.
   const auto to_fixed = [](double cells, int side) {

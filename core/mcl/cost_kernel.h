@@ -49,7 +49,7 @@ struct FixedPose {
 };
 
 /// Positions farther off the map than any topview reaches are moved nearer, which changes no
-/// result.
+/// result; a pose that is not finite counts as such a one. Yaw may be of any size.
 [[nodiscard]] FixedPose fixed_pose(const Rigid2& enu_from_body, const OverheadMap& map);
 
 enum class InstructionSet { kPortable, kAvx2, kAvx512 };

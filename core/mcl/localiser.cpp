@@ -56,11 +56,9 @@ double Localiser::evidence_of(const MatchCells& seen, const OdometryStep& odomet
     evidence *= std::min(1.0, seen.area_m2 / options_.full_evidence_area_m2);
   }
   if (step_ > 0 && options_.evidence_spacing_m > 0.0) {
-    // A vehicle that stands still sees the same errors again and again; a tenth keeps it from going
-    // blind.
-    constexpr double kEvidenceAtStandstill = 0.1;
-    evidence *=
-        std::clamp(odometry.way_m() / options_.evidence_spacing_m, kEvidenceAtStandstill, 1.0);
+    // A vehicle that stands still sees the same errors again and again.
+    evidence *= std::clamp(odometry.way_m() / options_.evidence_spacing_m,
+                           options_.standstill_evidence, 1.0);
   }
   return evidence;
 }

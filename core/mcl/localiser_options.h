@@ -84,6 +84,7 @@ struct LocaliserOptions {
   double min_effective_fraction = 0.05;
   double full_evidence_area_m2 = 10.0;
   double evidence_spacing_m = 1.0;
+  double standstill_evidence = 0.1;
   int max_cells_per_class = 400;
   // Resampling and blur.
   ResamplingKind resampling = ResamplingKind::kSystematic;
@@ -162,6 +163,11 @@ void visit_fields(Options& options, Visitor&& visit) {
         Field{"evidence-spacing", "m",
               "After a shorter way the same errors are seen again, so the topview says less", 0,
               1e3});
+  visit(options.standstill_evidence,
+        Field{"standstill-evidence", "",
+              "What a topview says at least, however short the way was, so that a vehicle that "
+              "hovers does not go blind; 1 is as much as any",
+              0, 1});
   visit(options.max_cells_per_class,
         Field{"max-cells", "",
               "Cells of one class that are matched at most, spread evenly; 0 is all", 0, 1e6});

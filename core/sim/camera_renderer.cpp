@@ -95,7 +95,10 @@ struct View {
     return enu_from_camera * camera.ray({column + 0.5, row + 0.5});
   }
 
-  void draw_row(int row, std::vector<double>& depth_m, std::span<ClassId> labels) const {
+  void draw_row(int row,
+                std::vector<double>& depth_m,
+                std::span<ClassId> labels,
+                std::span<std::int32_t> solids) const {
     const double cells_per_metre = 1.0 / world.map.metres_per_cell;
     ColumnRay ray{.start = world.map.overhead_from_enu(centre_in_enu_m.head<2>()),
                   .rate = Eigen::Vector2d::Zero(),
@@ -108,7 +111,8 @@ struct View {
       depth_m[static_cast<std::size_t>(column)] = hit.t;
       labels[static_cast<std::size_t>(column)] = hit.label;
     }
-    for (const Sprite& sprite : sprites) {
+    for (std::size_t i = 0; i < sprites.size(); ++i) {
+      const Sprite& sprite = sprites[i];
       if (row < sprite.first_row || row >= sprite.last_row) continue;
       for (int column = sprite.first_column; column < sprite.last_column; ++column) {
         const double t = first_hit(sprite.solid, centre_in_enu_m, direction(column, row));
@@ -116,6 +120,7 @@ struct View {
         if (t >= nearest || t > kFarthestLabelM) continue;
         nearest = t;
         labels[static_cast<std::size_t>(column)] = sprite.solid.label;
+        solids[static_cast<std::size_t>(column)] = static_cast<std::int32_t>(i);
       }
     }
   }
@@ -128,24 +133,37 @@ SemanticFrame render(const World& world,
                      const Rigid3& enu_from_camera,
                      double time_s,
                      double max_range_m) {
+  return render_surfaces(world, camera, enu_from_camera, time_s, max_range_m).frame;
+}
+
+SurfaceView render_surfaces(const World& world,
+                            const CameraModel& camera,
+                            const Rigid3& enu_from_camera,
+                            double time_s,
+                            double max_range_m) {
   NADIR_REQUIRE(camera.width > 0 && camera.height > 0 && !world.map.labels.empty());
   const View view{world, camera, enu_from_camera.translation_m,
                   enu_from_camera.rotation.toRotationMatrix(),
                   visible_sprites(world, camera, enu_from_camera, time_s)};
-  SemanticFrame frame{.time_s = time_s,
-                      .labels = Raster<ClassId>(camera.width, camera.height, kSky),
-                      .depth_m = Raster<float>(camera.width, camera.height)};
+  SurfaceView seen{
+      .frame = {.time_s = time_s,
+                .labels = Raster<ClassId>(camera.width, camera.height, kSky),
+                .depth_m = Raster<float>(camera.width, camera.height)},
+      .solids = {},
+      .solid = Raster<std::int32_t>(camera.width, camera.height, SurfaceView::kNoSolid)};
+  seen.solids.reserve(view.sprites.size());
+  for (const Sprite& sprite : view.sprites) seen.solids.push_back(sprite.solid);
   const auto draw_rows = [&](std::size_t begin, std::size_t end) {
     std::vector<double> depth_m(static_cast<std::size_t>(camera.width));
     for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row) {
-      view.draw_row(row, depth_m, frame.labels.row(row));
+      view.draw_row(row, depth_m, seen.frame.labels.row(row), seen.solid.row(row));
       std::transform(
-          depth_m.begin(), depth_m.end(), frame.depth_m.row(row).begin(),
+          depth_m.begin(), depth_m.end(), seen.frame.depth_m.row(row).begin(),
           [&](double depth) { return depth <= max_range_m ? static_cast<float>(depth) : 0.0F; });
     }
   };
   parallel_for(static_cast<std::size_t>(camera.height), kRowsAtOnce, draw_rows);
-  return frame;
+  return seen;
 }
 
 }  // namespace nadir

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "core/flight/flight_recording.h"
 #include "core/geo/rigid3.h"
 #include "core/sim/world.h"
@@ -28,5 +31,18 @@ inline constexpr double kFarthestLabelM = 60.0;
                                    const Rigid3& enu_from_camera,
                                    double time_s,
                                    double max_range_m);
+
+/// What the same camera sees, with what whoever colours it needs to know beside labels and depth.
+struct SurfaceView {
+  static constexpr std::int32_t kNoSolid = -1;
+  SemanticFrame frame;
+  std::vector<Solid> solids;   ///< Those in sight, as they stand at the time of the frame.
+  Raster<std::int32_t> solid;  ///< Index into `solids` of what a pixel shows, or kNoSolid.
+};
+[[nodiscard]] SurfaceView render_surfaces(const World& world,
+                                          const CameraModel& camera,
+                                          const Rigid3& enu_from_camera,
+                                          double time_s,
+                                          double max_range_m);
 
 }  // namespace nadir

@@ -12,6 +12,7 @@
 #include "core/sim/depth_noise.h"
 #include "core/sim/label_noise.h"
 #include "core/sim/odometry_noise.h"
+#include "core/sim/world_colours.h"
 
 namespace nadir {
 namespace {
@@ -36,7 +37,8 @@ class FrameMaker {
   FrameMaker(const OverheadMap& map,
              const CameraModel& camera,
              const Rigid3& body_from_camera,
-             const SimulationOptions& options)
+             const SimulationOptions& options,
+             const ColourRaster* picture)
       : world_(raise_world(map, options.world, options.seed)),
         label_noise_(options.seed),
         camera_(camera),
@@ -44,20 +46,28 @@ class FrameMaker {
         options_(options) {
     const LevelNoise level = level_noise(options.level);
     depth_noise_ = {level.inverse_depth_sigma, level.depth_range_m};
+    if (options.has_colour) colours_.emplace(world_, picture, options.seed);
   }
+  FrameMaker(const FrameMaker&) = delete;  // The colours refer to the world beside them.
+  FrameMaker& operator=(const FrameMaker&) = delete;
 
   [[nodiscard]] Result<EncodedFrame> make(std::uint32_t number, const TimedPose& body) const {
     const Rigid3 enu_from_camera = body.pose * body_from_camera_;
-    SemanticFrame frame = render(world_, camera_, enu_from_camera, body.time_s, kFarthestLabelM);
+    SurfaceView view =
+        render_surfaces(world_, camera_, enu_from_camera, body.time_s, kFarthestLabelM);
+    std::optional<ColourRaster> image;
+    if (colours_) image = colours_->paint(view, camera_, enu_from_camera);
+    SemanticFrame& frame = view.frame;
     if (options_.has_label_noise) {
       frame.labels = label_noise_.apply(frame, camera_, enu_from_camera, number);
     }
     frame.depth_m = measure_depth(frame.depth_m, depth_noise_, options_.seed, number);
-    return encode_frame(frame);
+    return encode_frame(frame, image);
   }
 
  private:
   World world_;
+  std::optional<WorldColours> colours_;
   LabelNoise label_noise_;
   CameraModel camera_;
   Rigid3 body_from_camera_;
@@ -144,10 +154,17 @@ Result<SimulatedFlight> simulate_flight(const OverheadMap& map,
                                         const FlownPath& path,
                                         const SimulationOptions& options,
                                         const std::filesystem::path& folder,
-                                        const WorkContext& work) {
+                                        const WorkContext& work,
+                                        const std::optional<ColourRaster>& picture) {
   if (const auto valid = validate(options); !valid) return forward_error(valid);
   if (const auto usable = check_usable_for_localising(map); !usable) return forward_error(usable);
   if (const auto flyable = check_path(map, path); !flyable) return forward_error(flyable);
+  if (picture &&
+      (picture->width() != map.labels.width() || picture->height() != map.labels.height())) {
+    return fail(ErrorCode::kInvalidOptions,
+                "map '{}': its picture is {} x {} pixels, but its labels are {} x {}", map.name,
+                picture->width(), picture->height(), map.labels.width(), map.labels.height());
+  }
 
   FlightDescription description;
   description.name = path.name;
@@ -165,7 +182,8 @@ Result<SimulatedFlight> simulate_flight(const OverheadMap& map,
   if (!writer) return forward_error(writer);
 
   work.report(0.0, "raising the world");
-  const FrameMaker maker(map, *description.camera, description.body_from_camera, options);
+  const FrameMaker maker(map, *description.camera, description.body_from_camera, options,
+                         picture ? &*picture : nullptr);
   const std::vector<TimedPose> poses = frame_poses(path);
   if (const auto written = write_frames(maker, poses, *writer, work); !written) {
     return forward_error(written);

@@ -14,6 +14,7 @@
 #include "core/base/result.h"
 #include "core/geo/trajectory.h"
 #include "core/map/overhead_map.h"
+#include "core/map/overhead_map_file.h"
 #include "core/sim/world.h"
 #include "core/topview/camera_model.h"
 
@@ -42,6 +43,7 @@ struct SimulationOptions {
   double frame_rate_hz =
       4.0;  ///< Of planned flights; on a recorded path every true pose is a frame.
   bool has_label_noise = true;   ///< false: labels are perfect.
+  bool has_colour = true;        ///< Also what the camera sees in colour, for people.
   double camera_height_m = 2.0;  ///< On a recorded path; a planned flight knows its altitude.
   int image_width_px = 640;
   int image_height_px = 480;
@@ -56,6 +58,7 @@ void visit_fields(Options& options, Visitor&& visit) {
   visit(options.seed, Field{"seed", "", "Root of every random draw", 0});
   visit(options.frame_rate_hz, Field{"frame-rate", "1/s", "Frames on a route", 0.1, 20});
   visit(options.has_label_noise, Field{"label-noise", "", "Segmentation errors like a network's"});
+  visit(options.has_colour, Field{"colour", "", "Also camera images in colour, for people"});
   visit(options.camera_height_m,
         Field{"camera-height", "m", "Camera above ground on a recorded path", 0.2, 50});
   visit(options.image_width_px, Field{"image-width", "px", "Camera image", 16, 4096});
@@ -92,17 +95,22 @@ struct SimulatedFlight {
 };
 
 /// Flies a path through a world raised from a map and writes what the vehicle records as a native
-/// flight: labels with segmentation errors, depth, odometry, truth. Frames are made several at a
+/// flight: labels with segmentation errors, depth, odometry, truth, and camera images in colour
+/// (world_colours.h) where the options ask for them. Frames are made several at a
 /// time and written in order, so that memory does not grow with the flight. The same arguments give
 /// the same files on any number of threads.
 ///
+/// @param picture  The overhead picture, of the size of the map's labels, whose colours the ground
+///         takes in camera images; without it the ground is in the colours of its classes.
 /// @errors kInvalidOptions: an option out of range, a path that starts off the map, odometry and
-/// truth at different times;
+///         truth at different times, a picture of another size;
 ///         kMalformed: a map without classes; kCancelled; kIo. Nothing is left under `folder` then.
-[[nodiscard]] Result<SimulatedFlight> simulate_flight(const OverheadMap& map,
-                                                      const FlownPath& path,
-                                                      const SimulationOptions& options,
-                                                      const std::filesystem::path& folder,
-                                                      const WorkContext& work);
+[[nodiscard]] Result<SimulatedFlight> simulate_flight(
+    const OverheadMap& map,
+    const FlownPath& path,
+    const SimulationOptions& options,
+    const std::filesystem::path& folder,
+    const WorkContext& work,
+    const std::optional<ColourRaster>& picture = std::nullopt);
 
 }  // namespace nadir

@@ -65,6 +65,36 @@ double capsule_entry(const Eigen::Vector3d& position,
   return entry;
 }
 
+/// A vector with the solid's axes as its own.
+Eigen::Vector3d turned(const Solid& solid, const Eigen::Vector3d& v) {
+  return {solid.heading.x() * v.x() + solid.heading.y() * v.y(),
+          solid.heading.x() * v.y() - solid.heading.y() * v.x(), v.z()};
+}
+
+/// The normal at a point of the surface, both along the solid's axes; of any length.
+Eigen::Vector3d normal_along_axes(const Solid& solid, const Eigen::Vector3d& position) {
+  const Eigen::Vector3d& half = solid.half_size_m;
+  const Eigen::Vector3d shares = position.cwiseQuotient(half);
+  switch (solid.shape) {
+    case Solid::Shape::kBox: {
+      Eigen::Index axis = 0;
+      shares.cwiseAbs().maxCoeff(&axis);
+      return Eigen::Vector3d::Unit(axis) * shares[axis];
+    }
+    case Solid::Shape::kCylinder:
+      if (std::abs(shares.z()) > position.head<2>().norm() / half.x()) {
+        return {0.0, 0.0, position.z()};
+      }
+      return {position.x(), position.y(), 0.0};
+    case Solid::Shape::kEllipsoid:
+      return shares.cwiseQuotient(half);
+    case Solid::Shape::kCapsule:
+      break;
+  }
+  const double half_trunk = std::max(0.0, half.z() - half.x());
+  return position - Eigen::Vector3d(0.0, 0.0, std::clamp(position.z(), -half_trunk, half_trunk));
+}
+
 }  // namespace
 
 double Solid::footprint_radius_m() const {
@@ -83,12 +113,8 @@ double Solid::footprint_radius_m() const {
 double first_hit(const Solid& solid,
                  const Eigen::Vector3d& origin_in_enu_m,
                  const Eigen::Vector3d& direction_in_enu) {
-  const auto turned = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d {
-    return {solid.heading.x() * v.x() + solid.heading.y() * v.y(),
-            solid.heading.x() * v.y() - solid.heading.y() * v.x(), v.z()};
-  };
-  const Eigen::Vector3d position = turned(origin_in_enu_m - solid.centre_in_enu_m);
-  const Eigen::Vector3d rate = turned(direction_in_enu);
+  const Eigen::Vector3d position = turned(solid, origin_in_enu_m - solid.centre_in_enu_m);
+  const Eigen::Vector3d rate = turned(solid, direction_in_enu);
   const Eigen::Vector3d& half = solid.half_size_m;
   switch (solid.shape) {
     case Solid::Shape::kBox: {
@@ -109,6 +135,17 @@ double first_hit(const Solid& solid,
       break;
   }
   return capsule_entry(position, rate, half.x(), half.z());
+}
+
+Eigen::Vector3d outward_normal(const Solid& solid, const Eigen::Vector3d& point_in_enu_m) {
+  const Eigen::Vector3d normal =
+      normal_along_axes(solid, turned(solid, point_in_enu_m - solid.centre_in_enu_m));
+  const Eigen::Vector3d in_enu(solid.heading.x() * normal.x() - solid.heading.y() * normal.y(),
+                               solid.heading.y() * normal.x() + solid.heading.x() * normal.y(),
+                               normal.z());
+  const double length = in_enu.norm();
+  if (length > 0.0) return in_enu / length;
+  return Eigen::Vector3d::UnitZ();  // At the very centre.
 }
 
 }  // namespace nadir

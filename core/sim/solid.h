@@ -35,4 +35,8 @@ struct Solid {
                                const Eigen::Vector3d& origin_in_enu_m,
                                const Eigen::Vector3d& direction_in_enu);
 
+/// Unit vector that points out of the solid at a point of its surface; on edges that of one side.
+[[nodiscard]] Eigen::Vector3d outward_normal(const Solid& solid,
+                                             const Eigen::Vector3d& point_in_enu_m);
+
 }  // namespace nadir

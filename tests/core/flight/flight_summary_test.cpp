@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/base/random.h"
 #include "tests/core/flight/flight_fixtures.h"
 
 namespace nadir {
@@ -47,6 +48,38 @@ TEST(StreamSummary, ListsGapsAndKeepsThemOutOfRateAndJitter) {
   EXPECT_THAT(stream.gaps, ElementsAre(TimeSpan{4.75, 6.75}));  // 1.75 is below 1.8 medians.
   EXPECT_EQ(*stream.rate_hz, 1.0);
   EXPECT_NEAR(*stream.jitter_s, std::sqrt(0.75 * 0.75 / 5.0), 1e-12);
+}
+
+TEST(StreamSummary, SamplesInOneInstantAreNoGapsAndChangeNoRate) {
+  // Every sample twice, a millisecond apart: a rate of 10 Hz all the same, and no gap.
+  std::vector<double> times_s;
+  for (int i = 0; i < 50; ++i) {
+    times_s.push_back(0.1 * i);
+    times_s.push_back(0.1 * i + 0.001);
+  }
+  const auto stream = summarise_stream("odometry", times_s);
+  EXPECT_EQ(stream.count, 100U);
+  EXPECT_EQ(stream.duplicates, 50U);
+  EXPECT_NEAR(*stream.rate_hz, 10.0, 1e-9);
+  EXPECT_NEAR(*stream.jitter_s, 0.0, 1e-9);
+  EXPECT_THAT(stream.gaps, IsEmpty());
+  EXPECT_NEAR(stream.span.end_s, 4.901, 1e-12) << "the span is that of all samples";
+}
+
+TEST(StreamSummary, TimesThatRepeatExactlyAreDuplicatesToo) {
+  const auto stream = summarise_stream("images", {0.0, 1.0, 1.0, 2.0, 3.0, 3.0, 3.0, 6.0, 7.0});
+  EXPECT_EQ(stream.duplicates, 3U);
+  EXPECT_EQ(*stream.rate_hz, 1.0);
+  EXPECT_THAT(stream.gaps, ElementsAre(TimeSpan{3.0, 6.0}));
+  const auto stuck = summarise_stream("images", {5.0, 5.0, 5.0});
+  EXPECT_EQ(stuck.duplicates, 2U);
+  EXPECT_FALSE(stuck.rate_hz);
+}
+
+TEST(StreamSummary, OneShortIntervalAmongMissingSamplesIsFoundAndNothingElse) {
+  // A third of the samples is lost; what is left is no duplicate.
+  const auto stream = summarise_stream("labels", {0.0, 0.1, 0.3, 0.4, 0.41, 0.6, 0.7, 0.705, 0.9});
+  EXPECT_EQ(stream.duplicates, 2U);
 }
 
 TEST(StreamSummary, OfASingleSampleHasNoRate) {
@@ -173,6 +206,91 @@ TEST(FlightSummary, OfPosesAloneComparesThemWithEachOther) {
   EXPECT_THAT(summarise_flight(flight).notices,
               ElementsAre("there are no images, labels or depth, only poses",
                           "truth ends 5.0 s before the odometry"));
+}
+
+/// 100 m straight ahead at 2 m/s, twenty poses a second, each with noise of 5 cm either way.
+Trajectory noisy_path() {
+  std::vector<TimedPose> poses;
+  for (std::uint32_t i = 0; i <= 1000; ++i) {
+    const auto [along, across] = standard_normals({.seed = 5, .particle = i});
+    poses.push_back(
+        {0.05 * i, {Eigen::Quaterniond::Identity(), {0.1 * i + 0.05 * along, 0.05 * across, 2.0}}});
+  }
+  return Trajectory::create(std::move(poses), "noisy path").value();
+}
+
+TEST(WayInPieces, HardlyGrowsWithTheNoiseOfSinglePoses) {
+  const Trajectory path = noisy_path();
+  EXPECT_GT(path.planar_length_m(), 120.0);
+  EXPECT_NEAR(way_in_pieces_m(path, 1.0), 100.0, 2.0);
+}
+
+TEST(WayInPieces, OfAStraightPathIsItsLengthWhateverThePieces) {
+  const Trajectory path = straight_path(0.0, 0.1, 100);  // 19.8 m
+  for (const double piece_m : {0.1, 1.0, 7.0, 50.0}) {
+    EXPECT_NEAR(way_in_pieces_m(path, piece_m), 19.8, 1e-9) << piece_m;
+  }
+  EXPECT_EQ(way_in_pieces_m(Trajectory(), 1.0), 0.0);
+}
+
+TEST(WayInPieces, OfAHoveringVehicleIsNotTheSumOfItsJitter) {
+  std::vector<TimedPose> poses;
+  for (int i = 0; i < 1000; ++i) {
+    poses.push_back(
+        {0.1 * i, {Eigen::Quaterniond::Identity(), {i % 2 == 0 ? 0.0 : 0.2, 0.0, 2.0}}});
+  }
+  const Trajectory hover = Trajectory::create(std::move(poses), "hover").value();
+  EXPECT_GT(hover.planar_length_m(), 199.0);
+  EXPECT_LT(way_in_pieces_m(hover, 1.0), 0.3);
+}
+
+TEST(FlightSummary, TellsTheWayOfOdometryApartFromTheSumOfItsSteps) {
+  FlightDescription flight = whole_flight();
+  flight.odometry = noisy_path();
+  const FlightSummary summary = summarise_flight(flight);
+  EXPECT_NEAR(*summary.odometry_length_m, 100.0, 2.0);
+  EXPECT_GT(*summary.odometry_summed_m, 120.0);
+  EXPECT_NEAR(*summary.truth_length_m, 24.0, 1e-9);
+}
+
+TEST(FlightSummary, SaysWhichFileBecameWhat) {
+  FlightDescription flight = whole_flight();
+  flight.path = "drives/7";
+  flight.odometry_source = "drives/7/poses_a.txt";
+  flight.truth_source = "drives/7/oxts";
+  flight.other_odometry = {"drives/7/poses_b.txt", "drives/7/poses_c.txt"};
+  const FlightSummary summary = summarise_flight(flight);
+  EXPECT_EQ(summary.streams[0].source, "");
+  EXPECT_EQ(summary.streams[3].source, "poses_a.txt");
+  EXPECT_EQ(summary.streams[4].source, "oxts");
+  EXPECT_THAT(
+      summary.notices,
+      ElementsAre("the odometry is poses_a.txt, the first by name; left aside: poses_b.txt, "
+                  "poses_c.txt"));
+  flight.path = "drives/7/poses_a.txt";  // A trajectory by itself is the flight.
+  EXPECT_EQ(summarise_flight(flight).streams[3].source, "poses_a.txt");
+}
+
+TEST(FlightSummary, NotesDuplicatesInsteadOfGaps) {
+  FlightDescription flight = whole_flight();
+  std::vector<TimedPose> poses = flight.odometry->poses();
+  for (int i = 4; i >= 0; --i) {
+    TimedPose twin = poses[static_cast<std::size_t>(10 * i)];
+    twin.time_s += 1e-4;
+    poses.insert(poses.begin() + 10 * i + 1, twin);
+  }
+  flight.odometry = Trajectory::create(std::move(poses), "odometry").value();
+  EXPECT_THAT(
+      summarise_flight(flight).notices,
+      ElementsAre("odometry: 5 of 246 samples come as good as at the time of the one before; "
+                  "rate, jitter and gaps leave them out"));
+}
+
+TEST(CentreText, GivesThePrincipalPointInBothConventions) {
+  EXPECT_EQ(
+      centre_text(CameraModel::from_horizontal_view(640, 480, 1.0)),
+      "(320.00, 240.00) px where pixel centres are at +0.5, (319.50, 239.50) px where they are "
+      "whole numbers, as in flight.toml, OpenCV and ROS");
 }
 
 TEST(FlightSummary, OfNothingAtAllIsEmpty) {

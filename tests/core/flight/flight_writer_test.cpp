@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/base/random.h"
+#include "core/flight/colour_image.h"
 #include "tests/core/flight/flight_fixtures.h"
 
 namespace nadir {
@@ -90,6 +91,61 @@ TEST_F(FlightWriterTest, WhatIsWrittenIsReadBack) {
     EXPECT_EQ(frame->labels, written.labels);
     EXPECT_EQ(frame->depth_m, written.depth_m);  // Half metres are whole millimetres.
   }
+}
+
+TEST_F(FlightWriterTest, ColourIsReadBackWhereAFrameHasIt) {
+  const ColourRaster image(24, 16, Colour{200, 40, 90});
+  auto writer = create(small_description());
+  ASSERT_TRUE(writer) << message_of(writer);
+  ASSERT_TRUE(writer->write(*encode_frame(small_frame(1.0))));
+  ASSERT_TRUE(writer->write(*encode_frame(small_frame(1.5), image)));
+  ASSERT_TRUE(writer->write(*encode_frame(small_frame(2.0), image)));
+  ASSERT_TRUE(writer->finish({}, {}));
+  const auto flight = open_flight(target());
+  ASSERT_TRUE(flight) << message_of(flight);
+  const auto& frames = (*flight)->description().frames;
+  ASSERT_EQ(frames.size(), 3U);
+  EXPECT_FALSE(frames[0].image);
+  ASSERT_TRUE(frames[1].image && frames[2].image);
+  EXPECT_EQ(frames[2].image->filename(), "000002.jpg");
+  const auto colours = read_colour_image(*frames[1].image);
+  ASSERT_TRUE(colours) << message_of(colours);
+  EXPECT_EQ(colours->width(), 24);
+  EXPECT_NEAR(colours->at(12, 8).red, 200, 3);
+  EXPECT_NEAR(colours->at(12, 8).blue, 90, 3);
+}
+
+TEST_F(FlightWriterTest, AFlightWithoutColourIsWholeAndHasNoTraceOfIt) {
+  auto writer = create(small_description());
+  ASSERT_TRUE(writer->write(*encode_frame(small_frame(1.0))));
+  ASSERT_TRUE(writer->finish({}, {}));
+  EXPECT_FALSE(fs::exists(target() / "rgb"));
+  EXPECT_FALSE(fs::exists(target() / "rgb.txt"));
+  const auto flight = open_flight(target());
+  ASSERT_TRUE(flight) << message_of(flight);
+  EXPECT_FALSE((*flight)->description().frames[0].image);
+  EXPECT_TRUE((*flight)->load(0));
+}
+
+TEST_F(FlightWriterTest, ReplacesAFlightWithColourByOneWithout) {
+  for (const bool has_colour : {true, false}) {
+    auto writer = create(small_description());
+    ASSERT_TRUE(writer) << message_of(writer);
+    std::optional<ColourRaster> image;
+    if (has_colour) image = ColourRaster(8, 8);
+    ASSERT_TRUE(writer->write(*encode_frame(small_frame(1.0), image)));
+    ASSERT_TRUE(writer->finish({}, {}));
+    EXPECT_EQ(fs::exists(target() / "rgb" / "000000.jpg"), has_colour);
+  }
+}
+
+TEST_F(FlightWriterTest, RefusesAnImageThatIsNone) {
+  auto writer = create(small_description());
+  EncodedFrame frame = *encode_frame(small_frame(1.0));
+  frame.image_jpeg = frame.labels_png;
+  EXPECT_THAT(message_of(writer->write(frame)), HasSubstr("flight/rgb/000000.jpg: is no JPEG"));
+  EXPECT_EQ(message_of(encode_frame(small_frame(1.0), ColourRaster())),
+            "frame at 1 s: its image has no pixels");
 }
 
 TEST_F(FlightWriterTest, TheSameFlightHasTheSameBytes) {

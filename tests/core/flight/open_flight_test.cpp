@@ -59,6 +59,7 @@ TEST(OpenFlight, ATumFileIsOdometryWithoutTruth) {
   EXPECT_FALSE(d.truth);
   ASSERT_TRUE(d.odometry);
   EXPECT_NEAR(d.odometry->planar_length_m(), 5.0, 1e-12);
+  EXPECT_EQ(d.odometry_source, path);
   EXPECT_THROW((void)(*flight)->load(0), std::logic_error);
 }
 
@@ -84,6 +85,10 @@ TEST(OpenFlight, KittiOdometryHasTheGroundTruthAndTheFirstOtherPoses) {
   EXPECT_LT((d.truth->poses()[1].pose.translation_m - Eigen::Vector3d(1, 0, 0)).norm(), 1e-12);
   EXPECT_LT((d.odometry->poses()[1].pose.translation_m - Eigen::Vector3d(2, 0, 0)).norm(), 1e-12);
   EXPECT_FALSE(d.camera);
+  EXPECT_EQ(d.truth_source.filename(), "poses_gt.txt");
+  EXPECT_EQ(d.odometry_source.filename(), "poses_orbslam.txt");
+  ASSERT_EQ(d.other_odometry.size(), 1U);
+  EXPECT_EQ(d.other_odometry[0].filename(), "poses_zed.txt");
 }
 
 TEST(OpenFlight, KittiOdometryWithASinglePoseFileHasOnlyTruth) {

@@ -209,6 +209,32 @@ TEST(Prior, FillsTheMapEvenlyWhenNothingIsKnown) {
   EXPECT_NEAR(looking_north, 10'000, 300);
 }
 
+/// Effective sample size after a second look from the same place, where the first left off.
+double size_after_standstill(double standstill_evidence) {
+  const CircleDrive drive;
+  LocaliserOptions options;
+  options.particle_count = 2'000;
+  options.standstill_evidence = standstill_evidence;
+  options.min_effective_fraction = 0.0;
+  options.resample_below_fraction = 0.0;
+  auto localiser =
+      Localiser::create(drive.index(), options, GaussianPrior{.mean_in_enu = CircleDrive::truth(0)})
+          .value();
+  SemanticTopview nothing;
+  nothing.metres_per_cell = 0.25;
+  (void)localiser.update({}, nothing);
+  const OdometryStep still{Rigid2{}, 0.25};
+  return localiser.update(still, drive.seen(0)).effective_sample_size;
+}
+
+TEST(Localiser, LearnsAtAStandstillAsMuchAsItsOptionSays) {
+  // With no evidence nothing is learnt; the more there is, the fewer particles stay effective.
+  EXPECT_NEAR(size_after_standstill(0.0), 2'000.0, 1e-6);
+  EXPECT_LT(size_after_standstill(0.1), 1'999.0);
+  EXPECT_LT(size_after_standstill(1.0), size_after_standstill(0.1));
+  EXPECT_DOUBLE_EQ(LocaliserOptions{}.standstill_evidence, 0.1);
+}
+
 TEST(LocaliserPresets, HoldTheParametersOfTheThesis) {
   const LocaliserOptions thesis = localiser_preset("thesis").value();
   EXPECT_EQ(thesis.particle_count, 10'000);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -11,6 +12,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/staged_output.h"
+#include "core/flight/colour_image.h"
 #include "core/flight/flight_recording.h"
 #include "core/sim/route.h"
 #include "tests/core/sim/street_map.h"
@@ -112,6 +114,59 @@ TEST_F(SimulatedFlightTest, ShowsTheMapWhereTheTruthSays) {
   }
   EXPECT_GT(points, 10'000);
   EXPECT_GT(right, 0.98 * points);
+}
+
+/// A picture of one colour.
+ColourRaster plain_picture(const OverheadMap& map, const Colour& colour) {
+  return {map.labels.width(), map.labels.height(), colour};
+}
+
+TEST_F(SimulatedFlightTest, HoldsWhatTheCameraSawInColour) {
+  const OverheadMap map = street_map();
+  const auto flown = simulate_flight(map, short_flight(), small_images(), output / "f", {},
+                                     plain_picture(map, {30, 160, 90}));
+  ASSERT_TRUE(flown.has_value()) << flown.error().message;
+  const auto recording = open_flight(output / "f");
+  ASSERT_TRUE(recording.has_value()) << recording.error().message;
+  for (const FlightFrame& frame : (*recording)->description().frames) {
+    ASSERT_TRUE(frame.image.has_value());
+    const auto image = read_colour_image(*frame.image);
+    ASSERT_TRUE(image.has_value()) << image.error().message;
+    EXPECT_EQ(image->width(), 96);
+    EXPECT_EQ(image->height(), 72);
+    EXPECT_GT(image->at(48, 0).blue, 150) << "sky is above";
+  }
+  // The first frame looks along the empty lane: road right in front of the camera.
+  const auto first = read_colour_image(*(*recording)->description().frames[0].image);
+  EXPECT_NEAR(first->at(48, 70).red, 30, 12);
+  EXPECT_NEAR(first->at(48, 70).green, 160, 12);
+  EXPECT_NEAR(first->at(48, 70).blue, 90, 12);
+}
+
+TEST_F(SimulatedFlightTest, IsTheSameFlightWithoutColour) {
+  SimulationOptions options = small_images();
+  ASSERT_TRUE(simulate_flight(street_map(), short_flight(), options, output / "c", {}).has_value());
+  ASSERT_TRUE(set_option(options, "colour", "false").has_value());
+  ASSERT_TRUE(simulate_flight(street_map(), short_flight(), options, output / "n", {}).has_value());
+  auto with_colour = files_of(output / "c");
+  const auto without = files_of(output / "n");
+  EXPECT_EQ(without.count("rgb.txt"), 0U);
+  EXPECT_EQ(
+      std::erase_if(with_colour, [](const auto& file) { return file.first.starts_with("rgb"); }),
+      std::count_if(without.begin(), without.end(), [](const auto& file) {
+        return file.first.starts_with("labels/");
+      }) + 1);
+  EXPECT_EQ(with_colour, without) << "labels, depth and poses do not depend on colour";
+}
+
+TEST_F(SimulatedFlightTest, RefusesAPictureOfAnotherSize) {
+  const auto flown = simulate_flight(street_map(), short_flight(), small_images(), output / "f", {},
+                                     ColourRaster(10, 20));
+  ASSERT_FALSE(flown.has_value());
+  EXPECT_EQ(flown.error().code, ErrorCode::kInvalidOptions);
+  EXPECT_EQ(flown.error().message,
+            "map 'drawn': its picture is 10 x 20 pixels, but its labels are 400 x 300");
+  EXPECT_TRUE(fs::is_empty(output));
 }
 
 TEST_F(SimulatedFlightTest, IsTheSameToTheLastByteOnAnyNumberOfThreads) {
@@ -269,6 +324,9 @@ TEST(SimulationOptions, AreAllReachableByNameWorldIncluded) {
   EXPECT_EQ(options.level, SimulationLevel::kHard);
   EXPECT_EQ(options.world.tree_share, 0.1);
   EXPECT_FALSE(options.has_label_noise);
+  EXPECT_TRUE(options.has_colour);
+  EXPECT_TRUE(set_option(options, "colour", "false").has_value());
+  EXPECT_FALSE(options.has_colour);
   EXPECT_FALSE(set_option(options, "tree-share", "1.5").has_value());
 }
 

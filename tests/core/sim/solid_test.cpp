@@ -25,6 +25,27 @@ Solid tilted(Solid::Shape shape) {
 
 class EveryShape : public testing::TestWithParam<Solid::Shape> {};
 
+TEST_P(EveryShape, HasANormalThatLeadsOutOfIt) {
+  const Solid solid = tilted(GetParam());
+  int hits = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double angle = 0.31 * i;
+    const Eigen::Vector3d origin(4.0 * std::cos(angle), 4.0 * std::sin(angle), 0.2 + 0.012 * i);
+    const Eigen::Vector3d direction =
+        solid.centre_in_enu_m - origin + Eigen::Vector3d(0.0, 0.0, 0.7 * std::sin(0.9 * i));
+    const double t = first_hit(solid, origin, direction);
+    if (t == kMiss) continue;
+    ++hits;
+    const Eigen::Vector3d point = origin + t * direction;
+    const Eigen::Vector3d normal = outward_normal(solid, point);
+    EXPECT_NEAR(normal.norm(), 1.0, 1e-12);
+    EXPECT_LT(normal.dot(direction), 1e-9) << "the side that is hit is the one that is seen";
+    EXPECT_FALSE(is_inside(solid, point + 1e-4 * normal));
+    EXPECT_TRUE(is_inside(solid, point - 1e-4 * normal));
+  }
+  EXPECT_GT(hits, 150);
+}
+
 TEST_P(EveryShape, IsHitWhereASmallStepWalkEntersIt) {
   const Solid solid = tilted(GetParam());
   int hits = 0;
