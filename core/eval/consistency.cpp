@@ -2,8 +2,10 @@
 #include "core/eval/consistency.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <limits>
 
 #include "core/base/angle.h"
 #include "core/base/require.h"
@@ -12,6 +14,8 @@ namespace nadir {
 namespace {
 
 constexpr double kSingularBelow = 1e-12;
+constexpr double kSymmetricTo = 1e-9;  // Correlations.
+constexpr double kRounding = 1e-9;     // Of 1 - correlation^2.
 
 template <int size>
 std::optional<double> squared_distance(const Eigen::Matrix<double, size, 1>& error,
@@ -23,6 +27,9 @@ std::optional<double> squared_distance(const Eigen::Matrix<double, size, 1>& err
   if (!one_by_sigma.allFinite()) return std::nullopt;
   const Eigen::Matrix<double, size, size> correlation =
       one_by_sigma.asDiagonal() * covariance * one_by_sigma.asDiagonal();
+  if (!((correlation - correlation.transpose()).array().abs() <= kSymmetricTo).all()) {
+    return std::nullopt;
+  }
   const Eigen::LLT<Eigen::Matrix<double, size, size>> cholesky(correlation);
   if (cholesky.info() != Eigen::Success) return std::nullopt;
   const double root_of_determinant = cholesky.matrixLLT().diagonal().prod();
@@ -43,6 +50,20 @@ std::optional<double> normalised_error_squared(const Eigen::Vector3d& error,
 std::optional<double> normalised_error_squared(const Eigen::Vector2d& error,
                                                const Eigen::Matrix2d& covariance) {
   return squared_distance<2>(error, covariance);
+}
+
+double position_spread_m2(const Eigen::Matrix3d& covariance) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const double xx = covariance(0, 0);
+  const double yy = covariance(1, 1);
+  const double largest = std::sqrt(xx) * std::sqrt(yy);  // NaN where a variance is negative
+  if (!std::isfinite(largest) || xx < 0.0 || yy < 0.0) return kNone;
+  if (!(std::abs(covariance(0, 1) - covariance(1, 0)) <= kSymmetricTo * largest)) return kNone;
+  if (largest == 0.0) return 0.0;
+  const double correlation = covariance(0, 1) / largest;
+  const double uncorrelated = 1.0 - correlation * correlation;
+  if (!(uncorrelated >= -kRounding)) return kNone;
+  return largest * std::sqrt(std::max(uncorrelated, 0.0));
 }
 
 double chi_square_quantile(double probability, double degrees_of_freedom) {

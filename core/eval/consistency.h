@@ -12,8 +12,9 @@ namespace nadir {
 
 /// Does the filter know how wrong it is? Over the steps whose truth is known.
 struct Consistency {
-  std::size_t nees_steps = 0;      ///< Steps that entered the mean.
-  std::size_t excluded_steps = 0;  ///< Covariance singular or not finite, so no NEES.
+  std::size_t nees_steps = 0;  ///< Steps that entered the mean.
+  std::size_t excluded_steps =
+      0;  ///< Covariance singular, not finite or no covariance, so no NEES.
   std::optional<double>
       nees_mean;  ///< 3 for a consistent filter (3 degrees of freedom), more if over-confident.
   std::optional<double> nees_lower_95,
@@ -31,14 +32,20 @@ struct Consistency {
 /// as e has elements. The three-element form is the normalised estimation error squared (NEES) of a
 /// pose.
 /// @param error       Estimate minus truth; yaw wrapped by the caller.
-/// @param covariance  Symmetric; only the lower triangle is read.
-/// @returns nothing where the covariance is not finite, not positive definite, or singular: the
+/// @returns nothing where the covariance is not finite, not symmetric (to 1e-9 of its standard
+/// deviations), not positive definite, or singular: the
 /// determinant of its
 ///          correlation matrix is below 1e-12, a test that does not depend on units.
 [[nodiscard]] std::optional<double> normalised_error_squared(const Eigen::Vector3d& error,
                                                              const Eigen::Matrix3d& covariance);
 [[nodiscard]] std::optional<double> normalised_error_squared(const Eigen::Vector2d& error,
                                                              const Eigen::Matrix2d& covariance);
+
+/// Spread of the position, sqrt(det) of the covariance of x and y, in m^2: the area of the ellipse of
+/// one standard deviation divided by pi. 0 where the covariance is singular, also where rounding makes
+/// the determinant of a singular one a little negative. @returns infinity where the covariance is
+/// none: not finite, a negative variance, a correlation above 1, or not symmetric.
+[[nodiscard]] double position_spread_m2(const Eigen::Matrix3d& covariance);
 
 /// Value below which a chi-square variable of so many degrees of freedom lies with the given
 /// probability.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/eval/convergence.h"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <vector>
+
+#include "core/eval/consistency.h"
 
 namespace nadir {
 namespace {
@@ -29,8 +30,8 @@ std::vector<Moment> moments_with_truth(std::span<const EvaluatedStep> steps,
     }
     last_truth_in_enu = truth_in_enu;
     moment.error_m = (step.estimate_in_enu.translation_m() - truth_in_enu).norm();
-    const double spread_m2 = std::sqrt(step.covariance.topLeftCorner<2, 2>().determinant());
-    moment.is_good = moment.error_m < rule.error_below_m && spread_m2 < rule.spread_below_m2;
+    moment.is_good = moment.error_m < rule.error_below_m &&
+                     position_spread_m2(step.covariance) < rule.spread_below_m2;
     moments.push_back(moment);
   }
   return moments;

@@ -22,9 +22,9 @@ struct EvaluatedStep {
   Rigid2 estimate_in_enu = {};
   Eigen::Matrix3d covariance =
       Eigen::Matrix3d::Zero();  ///< Of the estimate: x, y (m), yaw (rad) in enu.
-  Rigid2 odometry_in_enu =
-      {};                  ///< Odometry input laid at the start: what dead reckoning alone says.
-  double update_ms = 0.0;  ///< Computing time of the update.
+  /// Odometry input laid at the start: what dead reckoning alone says. Absent where nobody knows where that was.
+  std::optional<Rigid2> odometry_in_enu = {};
+  double update_ms = 0.0;  ///< Computing time of the update; NaN where it is not known.
 };
 
 }  // namespace nadir

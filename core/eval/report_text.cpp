@@ -91,7 +91,8 @@ std::string judgement(const RunEvaluation& e) {
         *c.nees_mean, c.nees_steps, *c.nees_lower_95, *c.nees_upper_95);
   }
   if (c.excluded_steps > 0) {
-    text += fmt::format("  NEES left out  {} steps with a singular covariance\n", c.excluded_steps);
+    text += fmt::format("  NEES left out  {} steps with a singular or unknown covariance\n",
+                        c.excluded_steps);
   }
   if (c.coverage_95) {
     text += fmt::format(

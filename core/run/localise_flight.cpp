@@ -84,7 +84,7 @@ Result<Prior> choose_prior(const LocaliseRequest& request,
 }
 
 /// Where dead reckoning is laid down: at the truth of the first frame, else at the mean of the
-/// prior.
+/// prior; nowhere where neither is known.
 std::optional<Rigid2> start_of(const Prior& prior,
                                const std::optional<Trajectory>& truth,
                                double time_s) {
@@ -237,8 +237,7 @@ Result<LocaliseSummary> localise_flight(const FlightRecording& flight,
   auto localiser = Localiser::create(map, request.options.localiser, *prior);
   if (!localiser) return forward_error(localiser);
   const auto start = start_of(*prior, truth, plan.frames.front().time_s);
-  const Rigid2 enu_from_odom =
-      start.value_or(Rigid2{}) * planar(plan.frames.front().odom_from_body).inverse();
+  const Rigid2 start_from_odom = planar(plan.frames.front().odom_from_body).inverse();
 
   const auto load = [&flight](std::size_t frame) { return flight.load(frame); };
   auto next = std::async(std::launch::async, load, plan.frames.front().index);
@@ -265,7 +264,7 @@ Result<LocaliseSummary> localise_flight(const FlightRecording& flight,
     step.step = plan.summary.steps;
     step.time_s = used.time_s;
     step.odom_from_body = odom_from_body;
-    step.odometry_in_enu = enu_from_odom * odom_from_body;
+    if (start) step.odometry_in_enu = *start * start_from_odom * odom_from_body;
     const auto true_pose = truth ? truth->at(used.time_s) : std::nullopt;
     if (true_pose) step.truth_in_enu = planar(*true_pose);
     step.estimate = update.estimate;

@@ -35,8 +35,9 @@ struct RunStep {
   int step = 0;
   double time_s = 0.0;
   Rigid2 odom_from_body;  ///< Odometry input.
-  Rigid2
-      odometry_in_enu;  ///< The same, laid at the start: what dead reckoning alone would have said.
+  /// The same, laid at the start: what dead reckoning alone would have said. Absent where the start is not known, neither
+  /// from the truth nor from the prior.
+  std::optional<Rigid2> odometry_in_enu;
   std::optional<Rigid2> truth_in_enu;  ///< Where the flight knows it.
   PoseEstimate estimate;
   double effective_sample_size = 0.0;
@@ -62,7 +63,8 @@ class RunWriter {
   RunWriter(RunWriter&&) noexcept;
   ~RunWriter();
   [[nodiscard]] Result<void> write(const RunStep& step);
-  /// Marks the run as complete. A run without this mark was killed or stopped.
+  /// Marks the run as complete. A run without this mark was killed or stopped. Where there was a run
+  /// of this name before, it takes away what killed programs have put aside as `NAME.earlier-PID`.
   [[nodiscard]] Result<void> finish();
 
  private:
@@ -82,7 +84,9 @@ class RunReader {
   [[nodiscard]] const RunHeader& header() const;
   [[nodiscard]] bool is_complete() const;
   [[nodiscard]] int step_count() const;
-  /// All steps without particles and topviews, in order of time.
+  /// All steps without particles and topviews. Times rise.
+  /// @errors kMalformed: names table, row and column of a value that is missing or impossible, such
+  /// as text for a number, a time that repeats or goes back, or a negative variance.
   [[nodiscard]] Result<std::vector<RunStep>> steps() const;
   /// One step with its particles and topview where recorded.
   [[nodiscard]] Result<RunStep> step(int step) const;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "core/eval/evaluated_step.h"
 #include "core/run/run_blobs.h"
 #include "core/run/run_connection.h"
 #include "core/run/run_file.h"
+#include "core/run/run_row.h"
 #include "core/run/run_schema.h"
 
 namespace nadir {
 using detail::RunConnection;
+using detail::RunRow;
 using detail::SqliteDatabase;
 using detail::SqliteStatement;
 using detail::SqliteTransaction;
@@ -21,62 +21,50 @@ namespace {
 
 constexpr int kMostAboutRows = 10'000;
 
-Rigid2 pose_at(const SqliteStatement& row, int column) {
-  return {row.number(column), row.number(column + 1), row.number(column + 2)};
-}
-
-PoseMoments moments_at(const SqliteStatement& row, int column) {
-  PoseMoments moments{.mean = pose_at(row, column)};
-  int next = column + 3;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = i; j < 3; ++j) {
-      moments.covariance(i, j) = row.number(next++);
-      moments.covariance(j, i) = moments.covariance(i, j);
-    }
-  }
-  return moments;
-}
-
-bool fits_int(std::int64_t value) { return value >= 0 && value <= std::numeric_limits<int>::max(); }
-
 /// Reads one row of kStepColumns.
 Result<RunStep> step_from(const SqliteStatement& row, const std::string& name) {
-  const std::int64_t number = row.whole(0);
+  RunRow values(row, fmt::format("{}: table step, row {}", name, row.whole(0)));
   RunStep step;
-  step.time_s = row.number(1);
-  step.odom_from_body = pose_at(row, 2);
-  step.odometry_in_enu = pose_at(row, 5);
-  if (!row.is_null(8)) step.truth_in_enu = pose_at(row, 8);
-  step.estimate.moments = moments_at(row, 11);
-  step.effective_sample_size = row.number(20);
-  if (!row.is_null(23)) step.agreement = row.number(23);
-  step.was_resampled = row.whole(22) != 0;
-  step.update_ms = row.number(25);
-  const bool counts_fit = fits_int(number) && fits_int(row.whole(21)) && fits_int(row.whole(24));
-  if (!counts_fit || !std::isfinite(step.time_s) || !is_finite(step.odom_from_body) ||
-      !is_finite(step.odometry_in_enu) || !is_finite(step.estimate.moments.mean) ||
-      (step.truth_in_enu && !is_finite(*step.truth_in_enu))) {
-    return fail(ErrorCode::kMalformed, "{}: step {} is damaged (a value is missing or no number)",
-                name, number);
-  }
-  step.step = static_cast<int>(number);
-  step.particle_count = static_cast<int>(row.whole(21));
-  step.topview_cells = static_cast<int>(row.whole(24));
+  step.step = values.count(0);
+  step.time_s = values.number(1);
+  step.odom_from_body = values.pose(2);
+  step.odometry_in_enu = values.pose_if_known(5);
+  step.truth_in_enu = values.pose_if_known(8);
+  step.estimate.moments = values.moments(11);
+  step.effective_sample_size = values.amount_if_known(20);
+  step.particle_count = values.count(21);
+  step.was_resampled = values.count(22) != 0;
+  const double agreement = values.share(23, true);
+  if (!std::isnan(agreement)) step.agreement = agreement;
+  step.topview_cells = values.count(24);
+  step.update_ms = values.amount_if_known(25);
+  if (const auto checked = values.checked(); !checked) return forward_error(checked);
   return step;
 }
 
+/// Reads a number of table `about`; one that is missing stays as it is. @errors kMalformed.
 template <typename Number>
-Number number_from(const std::map<std::string, std::string>& about, const std::string& key) {
-  Number value{};
+Result<void> take_number(const std::map<std::string, std::string>& about,
+                         const std::string& key,
+                         const std::string& name,
+                         Number least,
+                         Number largest,
+                         Number& into) {
   const auto found = about.find(key);
-  if (found != about.end()) {
-    const char* begin = found->second.data();
-    std::from_chars(begin, begin + found->second.size(), value);
+  if (found == about.end()) return {};
+  const std::string& text = found->second;
+  const char* last = text.data() + text.size();
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  if (error != std::errc() || end != last || !(value >= least && value <= largest)) {
+    return fail(ErrorCode::kMalformed, "{}: table about, row {}: {} is no number from {} to {}",
+                name, key, text.empty() ? "an empty text" : text.substr(0, 40), least, largest);
   }
-  return value;
+  into = value;
+  return {};
 }
 
-RunHeader header_from(std::map<std::string, std::string> about) {
+Result<RunHeader> header_from(std::map<std::string, std::string> about, const std::string& name) {
   RunHeader header;
   header.program_version = about["program_version"];
   header.flight = about["flight"];
@@ -86,9 +74,17 @@ RunHeader header_from(std::map<std::string, std::string> about) {
   header.map_path = about["map_path"];
   header.flight_hash = about["flight_hash"];
   header.map_hash = about["map_hash"];
-  header.seed = number_from<std::uint64_t>(about, "seed");
-  header.plane_latitude_deg = number_from<double>(about, "plane_latitude_deg");
-  header.plane_longitude_deg = number_from<double>(about, "plane_longitude_deg");
+  constexpr std::uint64_t kLargestSeed = std::numeric_limits<std::uint64_t>::max();
+  const auto taken = take_number<std::uint64_t>(about, "seed", name, 0, kLargestSeed, header.seed)
+                         .and_then([&] {
+                           return take_number(about, "plane_latitude_deg", name, -90.0, 90.0,
+                                              header.plane_latitude_deg);
+                         })
+                         .and_then([&] {
+                           return take_number(about, "plane_longitude_deg", name, -180.0, 180.0,
+                                              header.plane_longitude_deg);
+                         });
+  if (!taken) return forward_error(taken);
   for (const auto& [key, value] : about) {
     if (key.starts_with("option.")) header.options[key.substr(7)] = value;
   }
@@ -108,10 +104,11 @@ Result<RunHeader> read_header(const SqliteDatabase& database, const std::string&
     }
     about[rows->text(0)] = rows->text(1);
   }
-  return header_from(std::move(about));
+  return header_from(std::move(about), name);
 }
 
-/// Rows must rise in step, which also ends the walk through a damaged tree that leads in a circle.
+/// Rows must rise in step, which also ends the walk through a damaged tree that leads in a circle,
+/// and in time.
 Result<std::vector<RunStep>> read_steps(const SqliteDatabase& database, const std::string& name) {
   auto rows =
       database.prepare(fmt::format("SELECT {} FROM step ORDER BY step", detail::kStepColumns));
@@ -125,6 +122,11 @@ Result<std::vector<RunStep>> read_steps(const SqliteDatabase& database, const st
     if (!step) return forward_error(step);
     if (!steps.empty() && step->step <= steps.back().step) {
       return fail(ErrorCode::kMalformed, "{}: is damaged (step {} comes twice)", name, step->step);
+    }
+    if (!steps.empty() && !(step->time_s > steps.back().time_s)) {
+      return fail(ErrorCode::kMalformed,
+                  "{}: table step, row {}: time_s is {}, not after the {} of row {}", name,
+                  step->step, step->time_s, steps.back().time_s, steps.back().step);
     }
     steps.push_back(std::move(*step));
   }
@@ -140,13 +142,15 @@ Result<void> add_modes(std::span<RunStep> steps, SqliteStatement& rows, const st
     if (!row) return forward_error(row);
     if (!*row) return {};
     const std::pair key{rows.whole(0), rows.whole(1)};
-    const PoseMode mode{.mass = rows.number(2), .moments = moments_at(rows, 3)};
+    const std::string where =
+        fmt::format("{}: table mode, row of step {} and rank {}", name, key.first, key.second);
     while (step != steps.end() && step->step < key.first) ++step;
-    if (key <= last || step == steps.end() || step->step != key.first ||
-        !is_finite(mode.moments.mean)) {
-      return fail(ErrorCode::kMalformed, "{}: is damaged (a mode of step {} does not fit)", name,
-                  key.first);
+    if (key <= last || step == steps.end() || step->step != key.first) {
+      return fail(ErrorCode::kMalformed, "{}: belongs to no step or comes twice", where);
     }
+    RunRow values(rows, where);
+    const PoseMode mode{.mass = values.share(2, false), .moments = values.moments(3)};
+    if (const auto checked = values.checked(); !checked) return forward_error(checked);
     last = key;
     step->estimate.modes.push_back(mode);
   }
@@ -229,7 +233,7 @@ int RunReader::step_count() const {
 
 Result<std::vector<RunStep>> RunReader::steps() const {
   const std::string& name = implementation_->name;
-  auto steps = implementation_->connection.read(
+  return implementation_->connection.read(
       [&](const SqliteDatabase& database) -> Result<std::vector<RunStep>> {
         auto numbers = read_steps(database, name);
         if (!numbers) return numbers;
@@ -240,11 +244,6 @@ Result<std::vector<RunStep>> RunReader::steps() const {
           return forward_error(added);
         return numbers;
       });
-  if (steps) {
-    std::stable_sort(steps->begin(), steps->end(),
-                     [](const RunStep& a, const RunStep& b) { return a.time_s < b.time_s; });
-  }
-  return steps;
 }
 
 Result<RunStep> RunReader::step(int number) const {

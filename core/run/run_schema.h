@@ -23,9 +23,9 @@ CREATE TABLE step (  -- One update of the localiser; poses in the project plane,
   odom_x_m REAL NOT NULL,  -- Odometry input, in its own frame
   odom_y_m REAL NOT NULL,
   odom_yaw_rad REAL NOT NULL,
-  odometry_x_m REAL NOT NULL,  -- The same, laid at the start of the run
-  odometry_y_m REAL NOT NULL,
-  odometry_yaw_rad REAL NOT NULL,
+  odometry_x_m REAL,  -- The same, laid at the start of the run; NULL where that is not known
+  odometry_y_m REAL,
+  odometry_yaw_rad REAL,
   truth_x_m REAL,  -- NULL where not known
   truth_y_m REAL,
   truth_yaw_rad REAL,

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/bystanders.h"
 #include "core/base/require.h"
 #include "core/eval/evaluated_step.h"
 #include "core/run/run_blobs.h"
@@ -36,6 +37,16 @@ bool is_run_file(const fs::path& path) {
   std::uint32_t id = 0;
   for (std::size_t i = 68; i < 72; ++i) id = id << 8U | static_cast<std::uint8_t>(head.at(i));
   return std::string_view(head.data(), 15) == "SQLite format 3" && id == detail::kRunApplicationId;
+}
+
+/// Runs that a program put aside as `NAME.earlier-PID` when it began a new one, and that nobody
+/// brought back since it was killed. Where NAME is there, they were outlived by another run already.
+/// Where it is not, one of them may be all that is left of somebody's work, so none is outdated.
+std::vector<fs::path> outdated_runs(const fs::path& path) {
+  constexpr std::string_view kEarlier = ".earlier-";
+  std::error_code error;
+  const bool was_there = fs::exists(path, error) || fs::exists(bystander_of(path, kEarlier), error);
+  return was_there ? abandoned_bystanders(path, kEarlier) : std::vector<fs::path>();
 }
 
 Result<void> make_room(const fs::path& path) {
@@ -133,6 +144,7 @@ struct RunWriter::Implementation {
   RunLock lock;  ///< Outlives the connection: closing a file takes away the locks of SQLite.
   SqliteDatabase database;
   std::optional<SqliteStatement> insert_step, insert_mode, insert_particles, insert_topview;
+  std::vector<fs::path> outdated;  ///< Gone when this run is complete.
   std::optional<double> last_time_s;
 
   [[nodiscard]] Result<void> prepare();
@@ -161,7 +173,8 @@ Result<void> RunWriter::Implementation::prepare() {
 
 Result<void> RunWriter::Implementation::check(const RunStep& step) const {
   if (!std::isfinite(step.time_s) || !is_finite(step.odom_from_body) ||
-      !is_finite(step.odometry_in_enu) || !is_finite(step.estimate.moments.mean) ||
+      (step.odometry_in_enu && !is_finite(*step.odometry_in_enu)) ||
+      !is_finite(step.estimate.moments.mean) ||
       (step.truth_in_enu && !is_finite(*step.truth_in_enu))) {
     return fail(ErrorCode::kMalformed, "{}: step {} has a time or pose that is not finite", name,
                 step.step);
@@ -170,6 +183,10 @@ Result<void> RunWriter::Implementation::check(const RunStep& step) const {
     return fail(ErrorCode::kMalformed, "{}: time goes back from {} s to {} s at step {}", name,
                 *last_time_s, step.time_s, step.step);
   }
+  if (last_time_s == step.time_s) {
+    return fail(ErrorCode::kMalformed, "{}: time {} s of step {} is that of the step before", name,
+                step.time_s, step.step);
+  }
   return {};
 }
 
@@ -177,8 +194,8 @@ Result<void> RunWriter::Implementation::write_numbers(const RunStep& step) {
   SqliteStatement& insert = *insert_step;
   insert.add(std::int64_t{step.step}).add(step.time_s);
   add_pose(insert, step.odom_from_body);
-  add_pose(insert, step.odometry_in_enu);
   const Rigid2 unknown{std::nan(""), std::nan(""), std::nan("")};
+  add_pose(insert, step.odometry_in_enu.value_or(unknown));
   add_pose(insert, step.truth_in_enu.value_or(unknown));
   add_moments(insert, step.estimate.moments);
   insert.add(step.effective_sample_size)
@@ -228,6 +245,7 @@ RunWriter::RunWriter(RunWriter&&) noexcept = default;
 RunWriter::~RunWriter() = default;
 
 Result<RunWriter> RunWriter::create(const fs::path& path, const RunHeader& header) {
+  const auto outdated = outdated_runs(path);
   if (const auto room = make_room(path); !room) return forward_error(room);
   auto lock = RunLock::make(path);
   if (!lock) return forward_error(lock);
@@ -239,7 +257,7 @@ Result<RunWriter> RunWriter::create(const fs::path& path, const RunHeader& heade
     return forward_error(database);
   }
   auto implementation = std::unique_ptr<Implementation>(new Implementation{
-      path.string(), std::move(*lock), std::move(*database), {}, {}, {}, {}, {}});
+      path.string(), std::move(*lock), std::move(*database), {}, {}, {}, {}, outdated, {}});
   if (const auto prepared = implementation->prepare(); !prepared) return forward_error(prepared);
   return RunWriter(std::move(implementation));
 }
@@ -259,9 +277,13 @@ Result<void> RunWriter::write(const RunStep& step) {
 
 Result<void> RunWriter::finish() {
   const SqliteDatabase& database = implementation_->database;
-  return database.execute("PRAGMA synchronous = FULL").and_then([&] {
+  auto finished = database.execute("PRAGMA synchronous = FULL").and_then([&] {
     return database.execute("UPDATE about SET value = '1' WHERE key = 'is_complete'");
   });
+  if (!finished) return finished;
+  std::error_code ignored;
+  for (const fs::path& run : std::exchange(implementation_->outdated, {})) fs::remove(run, ignored);
+  return {};
 }
 
 }  // namespace nadir

@@ -88,6 +88,19 @@ bool SqliteStatement::is_null(int column) const {
   return sqlite3_column_type(statement_, column) == SQLITE_NULL;
 }
 
+bool SqliteStatement::is_number(int column) const {
+  return is_whole(column) || sqlite3_column_type(statement_, column) == SQLITE_FLOAT;
+}
+
+bool SqliteStatement::is_whole(int column) const {
+  return sqlite3_column_type(statement_, column) == SQLITE_INTEGER;
+}
+
+std::string SqliteStatement::column_name(int column) const {
+  const char* name = sqlite3_column_name(statement_, column);
+  return name == nullptr ? std::string() : name;
+}
+
 double SqliteStatement::number(int column) const {
   return is_null(column) ? std::nan("") : sqlite3_column_double(statement_, column);
 }

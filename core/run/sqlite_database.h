@@ -39,6 +39,11 @@ class SqliteStatement {
   [[nodiscard]] Result<bool> next();
 
   [[nodiscard]] bool is_null(int column) const;
+  /// Whether the value is a number, not NULL, text or a blob: SQLite gives 0 for those, for a column
+  /// takes values of any kind, whatever its type says.
+  [[nodiscard]] bool is_number(int column) const;
+  [[nodiscard]] bool is_whole(int column) const;  ///< The same, without a fraction.
+  [[nodiscard]] std::string column_name(int column) const;
   [[nodiscard]] double number(int column) const;  ///< NULL gives NaN.
   [[nodiscard]] std::int64_t whole(int column) const;
   [[nodiscard]] std::string text(int column) const;

@@ -163,5 +163,74 @@ TEST(Consistency, CountsWhatItLeavesOutAndSkipsStepsWithoutTruth) {
   EXPECT_FALSE(nothing.nees_mean || nothing.nees_lower_95 || nothing.coverage_95);
 }
 
+TEST(NormalisedError, AMatrixThatIsNotSymmetricHasNone) {
+  Eigen::Matrix3d covariance = tilted_covariance();
+  const Eigen::Vector3d error(1.0, -1.0, 0.01);
+  ASSERT_TRUE(normalised_error_squared(error, covariance));
+  covariance(0, 1) += 1e-12;
+  EXPECT_TRUE(normalised_error_squared(error, covariance)) << "rounding";
+  covariance(0, 1) += 1e-3;
+  EXPECT_FALSE(normalised_error_squared(error, covariance));
+  const Eigen::Vector2d position_error = error.head<2>();
+  const Eigen::Matrix2d position = covariance.topLeftCorner<2, 2>();
+  EXPECT_FALSE(normalised_error_squared(position_error, position));
+}
+
+TEST(NormalisedError, DoesNotDependOnUnitsNearSingularEither) {
+  Eigen::Matrix3d covariance = tilted_covariance();
+  covariance.col(2).head<2>().setZero();
+  covariance.row(2).head<2>().setZero();
+  covariance(0, 1) = covariance(1, 0) = 2.0 * (1.0 - 1e-5);  // correlation 0.99999
+  const Eigen::Vector3d error(0.5, 0.25, 0.01);
+  const auto in_metres = normalised_error_squared(error, covariance);
+  ASSERT_TRUE(in_metres);
+  const Eigen::Vector3d units(1e3, 1e3, 57.3);  // millimetres and degrees
+  const Eigen::Matrix3d scaled = units.asDiagonal() * covariance * units.asDiagonal();
+  EXPECT_NEAR(*normalised_error_squared(units.cwiseProduct(error), scaled) / *in_metres, 1.0, 1e-9);
+}
+
+TEST(PositionSpread, IsTheRootOfTheDeterminant) {
+  const Eigen::Matrix3d covariance = tilted_covariance();
+  EXPECT_NEAR(position_spread_m2(covariance), std::sqrt(4.0 * 1.0 - 1.5 * 1.5), 1e-12);
+  EXPECT_EQ(position_spread_m2(Eigen::Matrix3d::Zero()), 0.0) << "collapsed to a point";
+}
+
+TEST(PositionSpread, OfACovarianceThatRoundingMadeIndefiniteIsNothing) {
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+  covariance(0, 1) = covariance(1, 0) = 1.0 + 1e-12;
+  EXPECT_EQ(position_spread_m2(covariance), 0.0);
+}
+
+TEST(PositionSpread, OfWhatIsNoCovarianceIsWithoutEnd) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto spread = [](double xx, double xy, double yx, double yy) {
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+    covariance.topLeftCorner<2, 2>() << xx, xy, yx, yy;
+    return position_spread_m2(covariance);
+  };
+  EXPECT_EQ(spread(-1.0, 0.0, 0.0, -1.0), kInfinity) << "its determinant is 1";
+  EXPECT_EQ(spread(1.0, 1.1, 1.1, 1.0), kInfinity);
+  EXPECT_EQ(spread(1.0, 0.5, -0.5, 1.0), kInfinity);
+  EXPECT_EQ(spread(1.0, kNaN, kNaN, 1.0), kInfinity);
+  EXPECT_EQ(spread(kNaN, 0.0, 0.0, 1.0), kInfinity);
+  EXPECT_EQ(spread(kInfinity, 0.0, 0.0, 1.0), kInfinity);
+}
+
+TEST(Consistency, LeavesOutAndCountsWhatIsNoCovariance) {
+  std::vector<EvaluatedStep> steps = gaussian_steps(40, tilted_covariance(), tilted_covariance());
+  const Consistency whole = assess_consistency(std::span(steps).subspan(4));
+  steps[0].covariance(0, 0) = -4.0;
+  steps[1].covariance(1, 2) = std::numeric_limits<double>::quiet_NaN();
+  steps[2].covariance(0, 1) = 0.0;  // and (1, 0) is not
+  steps[3].covariance.setZero();
+  const Consistency result = assess_consistency(steps);
+  EXPECT_EQ(result.excluded_steps, 4U);
+  EXPECT_EQ(result.nees_steps, 36U);
+  EXPECT_EQ(result.nees_mean, whole.nees_mean);
+  EXPECT_EQ(result.coverage_steps, 40U) << "and those count as outside";
+  EXPECT_LE(*result.coverage_95, 37.0 / 40.0);
+}
+
 }  // namespace
 }  // namespace nadir

@@ -50,6 +50,16 @@ TEST(Convergence, NeedsAnEstimateThatIsSureOfItself) {
   EXPECT_EQ(find_convergence(steps).after_m, 20.0);
 }
 
+TEST(Convergence, TakesAFilterThatCollapsedToALineAsSureAndOneWithoutCovarianceAsNot) {
+  auto steps = flight_with_errors(errors({{60, 1.0}}));
+  for (EvaluatedStep& step : steps) {  // rounding leaves its determinant below zero
+    step.covariance(0, 1) = step.covariance(1, 0) = 1.0 + 1e-14;
+  }
+  EXPECT_EQ(find_convergence(steps).after_m, 0.0);
+  for (EvaluatedStep& step : steps) step.covariance = -Eigen::Matrix3d::Identity();
+  EXPECT_FALSE(find_convergence(steps).after_m) << "two negative variances, determinant 1";
+}
+
 TEST(Convergence, IsUnknownWhereItNeverComesOrTheFlightIsTooShort) {
   EXPECT_FALSE(find_convergence(flight_with_errors(errors({{60, 4.0}}))).after_s);
   EXPECT_FALSE(find_convergence(flight_with_errors(errors({{20, 0.0}}))).after_s) << "19 m of path";

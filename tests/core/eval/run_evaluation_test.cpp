@@ -81,11 +81,23 @@ TEST(RunEvaluation, AlignmentTurnsTheCovarianceWithTheEstimate) {
   EXPECT_NEAR(*evaluation->consistency.nees_mean, 1.0, 0.1);
 }
 
+TEST(RunEvaluation, JudgesTheEstimateAloneWhereTheOdometryHasNoPlaceInThePlane) {
+  auto steps = circle();
+  for (EvaluatedStep& step : steps) step.odometry_in_enu.reset();
+  for (const Alignment alignment : {Alignment::kNone, Alignment::kSe2}) {
+    const auto evaluation = evaluate_steps(steps, alignment);
+    ASSERT_TRUE(evaluation);
+    EXPECT_EQ(evaluation->matched_pairs, 100U);
+    EXPECT_TRUE(evaluation->estimate.has_value());
+    EXPECT_FALSE(evaluation->odometry.has_value());
+  }
+}
+
 TEST(RunEvaluation, DropsStepsWithoutTruthOrWithNaNAndSaysHowMany) {
   auto steps = circle();
   steps[0].truth_in_enu.reset();
   steps[1].estimate_in_enu.x_m = std::nan("");
-  steps[2].odometry_in_enu.yaw_rad = std::nan("");
+  steps[2].odometry_in_enu->yaw_rad = std::nan("");
   const auto evaluation = evaluate_steps(steps);
   ASSERT_TRUE(evaluation);
   EXPECT_EQ(evaluation->matched_pairs, 97U);

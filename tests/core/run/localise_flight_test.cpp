@@ -90,7 +90,7 @@ TEST(LocaliseFlight, RecordsEveryStepWithTruthOdometryAndEstimate) {
   for (const RunStep& step : outcome.steps) {
     ASSERT_TRUE(step.truth_in_enu.has_value());
     EXPECT_NEAR(step.truth_in_enu->x_m, 10.0 + 2.0 * step.time_s, 1e-9);
-    EXPECT_NEAR(step.odometry_in_enu.x_m, step.truth_in_enu->x_m,
+    EXPECT_NEAR(step.odometry_in_enu->x_m, step.truth_in_enu->x_m,
                 1e-9);  // this odometry does not drift
     EXPECT_TRUE(step.particles.has_value());
     EXPECT_EQ(static_cast<int>(step.particles->size()), step.particle_count);
@@ -130,8 +130,19 @@ TEST(LocaliseFlight, LaysDeadReckoningAtTheStart) {
   const Outcome outcome = localise(description);
   ASSERT_TRUE(outcome.summary.has_value()) << fault(outcome);
   const RunStep& last = outcome.steps.back();
-  EXPECT_NEAR(last.odometry_in_enu.x_m, last.truth_in_enu->x_m, 1e-6);
-  EXPECT_NEAR(last.odometry_in_enu.y_m, last.truth_in_enu->y_m, 1e-6);
+  EXPECT_NEAR(last.odometry_in_enu->x_m, last.truth_in_enu->x_m, 1e-6);
+  EXPECT_NEAR(last.odometry_in_enu->y_m, last.truth_in_enu->y_m, 1e-6);
+}
+
+TEST(LocaliseFlight, LaysDeadReckoningNowhereWhereNobodyKnowsTheStart) {
+  FlightDescription description = description_of_drive();
+  description.truth.reset();
+  LocaliseRequest request;
+  request.prior = GlobalPrior{};
+  request.options.localiser.global_particle_count = 2'000;
+  const Outcome outcome = localise(description, request);
+  ASSERT_TRUE(outcome.summary.has_value()) << fault(outcome);
+  for (const RunStep& step : outcome.steps) EXPECT_FALSE(step.odometry_in_enu.has_value());
 }
 
 TEST(LocaliseFlight, StopsWhenItIsToldTo) {

@@ -2,16 +2,17 @@
 #include "core/run/run_file.h"
 
 #include <gmock/gmock.h>
-#include <sqlite3.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <fstream>
 #include <limits>
 
 #include "tests/core/run/recorded_run.h"
+#include "tests/core/run/run_sql.h"
+#include "tests/support/dead_process.h"
 #include "tests/support/error_text.h"
 #include "tests/support/scratch_folder.h"
 
@@ -20,33 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-/// Runs SQL on a file as any other program would; the text of the first value, if any.
-std::string run_sql(const fs::path& path, const std::string& sql) {
-  sqlite3* database = nullptr;
-  sqlite3_open(path.c_str(), &database);
-  std::string answer;
-  const auto take = [](void* into, int columns, char** values, char**) {
-    auto& text = *static_cast<std::string*>(into);
-    for (int i = 0; i < columns; ++i)
-      text += (text.empty() ? "" : " ") + std::string(values[i] != nullptr ? values[i] : "NULL");
-    return 0;
-  };
-  char* message = nullptr;
-  sqlite3_exec(database, sql.c_str(), take, &answer, &message);
-  if (message != nullptr) answer = message;
-  sqlite3_free(message);
-  sqlite3_close(database);
-  return answer;
-}
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 void expect_same_numbers(const RunStep& read, const RunStep& written) {
   EXPECT_EQ(read.step, written.step);
@@ -206,7 +182,7 @@ TEST(RunFile, IsOneFileWithDocumentedTables) {
   EXPECT_EQ(run_sql(path, "PRAGMA integrity_check"), "ok");
 }
 
-TEST(RunFile, StepNumbersOnlyRiseAndTimeNeverGoesBack) {
+TEST(RunFile, StepNumbersAndTimesOnlyRise) {
   const ScratchFolder folder;
   const fs::path path = folder.path() / "R.nadir";
   auto writer = RunWriter::create(path, {}).value();
@@ -214,6 +190,10 @@ TEST(RunFile, StepNumbersOnlyRiseAndTimeNeverGoesBack) {
   EXPECT_FALSE(writer.write(example_step(5))) << "the same step twice";
   EXPECT_THAT(error_text(writer.write(example_step(4))),
               HasSubstr("time goes back from 0.5 s to 0.4 s at step 4"));
+  RunStep same_time = example_step(6);
+  same_time.time_s = 0.5;
+  EXPECT_THAT(error_text(writer.write(same_time)),
+              HasSubstr("time 0.5 s of step 6 is that of the step before"));
   ASSERT_TRUE(writer.write(example_step(6))) << "a refused step leaves the writer usable";
   EXPECT_EQ(RunReader::open(path)->step_count(), 2);
 }
@@ -255,6 +235,43 @@ TEST(RunFile, ReplacesAnOlderRunAndItsJournalButNothingElse) {
   EXPECT_TRUE(RunWriter::create(folder.file("empty.nadir", ""), {})) << "a run killed at birth";
 }
 
+TEST(RunFile, OnceCompleteItTakesAwayRunsThatAKilledProgramPutAside) {
+  const ScratchFolder folder;
+  const fs::path path = folder.path() / "R.nadir";
+  record_run(path, 1);
+  const fs::path abandoned = path.string() + ".earlier-" + std::to_string(dead_process());
+  const fs::path living = path.string() + ".earlier-" + std::to_string(::getppid());
+  fs::copy_file(path, abandoned);
+  fs::copy_file(path, living);
+  auto writer = RunWriter::create(path, {}).value();
+  ASSERT_TRUE(writer.write(example_step(0)));
+  EXPECT_TRUE(fs::exists(abandoned)) << "not before the new run is whole";
+  ASSERT_TRUE(writer.finish());
+  EXPECT_FALSE(fs::exists(abandoned));
+  EXPECT_TRUE(fs::exists(living));
+}
+
+TEST(RunFile, ARunPutAsideThatMayBeAllThatIsLeftStays) {
+  const ScratchFolder folder;
+  const fs::path path = folder.path() / "R.nadir";
+  const fs::path left = path.string() + ".earlier-" + std::to_string(dead_process());
+  record_run(left, 3);
+  record_run(path, 1);  // killed between putting the old run aside and beginning the new one
+  EXPECT_EQ(RunReader::open(left)->step_count(), 3);
+}
+
+TEST(RunFile, CountsARunThatThisProgramPutAsideItselfAsOneThatWasThere) {
+  const ScratchFolder folder;
+  const fs::path path = folder.path() / "R.nadir";
+  const fs::path abandoned = path.string() + ".earlier-" + std::to_string(dead_process());
+  const fs::path own = path.string() + ".earlier-" + std::to_string(::getpid());
+  record_run(abandoned, 1);
+  record_run(own, 1);
+  record_run(path, 1);
+  EXPECT_FALSE(fs::exists(abandoned));
+  EXPECT_TRUE(fs::exists(own)) << "whoever put it aside decides";
+}
+
 TEST(RunFile, CannotBeMadeWhereThereIsNoFolder) {
   const ScratchFolder folder;
   EXPECT_THAT(error_text(RunWriter::create(folder.path() / "no" / "R.nadir", {})),
@@ -288,121 +305,7 @@ TEST(RunFile, ADiskThatIsFullGivesOneSentenceAndKeepsTheStepsBefore) {
   EXPECT_EQ(RunReader::open(path)->step_count(), written + 1);
 }
 
-TEST(RunReader, SaysWhatIsWrongWithAFile) {
-  const ScratchFolder folder;
-  const auto missing = RunReader::open(folder.path() / "none.nadir");
-  EXPECT_EQ(error_code(missing), ErrorCode::kNotFound);
-  EXPECT_THAT(error_text(missing), HasSubstr("none.nadir: does not exist"));
-  EXPECT_THAT(error_text(RunReader::open(folder.path())), HasSubstr("is a folder"));
-  EXPECT_THAT(error_text(RunReader::open(folder.file("e", ""))), HasSubstr("is empty"));
-  for (const auto& text : {std::string("hello"), std::string(10'000, '\0'),
-                           "SQLite format 3\0" + std::string(4096, 'x')}) {
-    const auto wrong = RunReader::open(folder.file("w", text));
-    EXPECT_EQ(error_code(wrong), ErrorCode::kMalformed);
-    EXPECT_THAT(error_text(wrong), StartsWith((folder.path() / "w: ").string()));
-  }
-  run_sql(folder.path() / "other.db", "CREATE TABLE precious (x)");
-  EXPECT_THAT(error_text(RunReader::open(folder.path() / "other.db")),
-              HasSubstr("is not a run file"));
-}
-
-TEST(RunReader, RefusesANewerFormatAndSaysSo) {
-  const ScratchFolder folder;
-  const fs::path path = folder.path() / "R.nadir";
-  record_run(path, 2);
-  run_sql(path, "PRAGMA user_version = 2");
-  const auto run = RunReader::open(path);
-  ASSERT_FALSE(run);
-  EXPECT_EQ(error_code(run), ErrorCode::kUnsupported);
-  EXPECT_THAT(error_text(run), HasSubstr("R.nadir: was written by a newer version of Nadir"));
-}
-
-TEST(RunReader, ReadsFilesWithTablesAndKeysItDoesNotKnow) {
-  const ScratchFolder folder;
-  const fs::path path = folder.path() / "R.nadir";
-  record_run(path, 2);
-  run_sql(path,
-          "CREATE TABLE note (text); INSERT INTO about VALUES ('weather', 'fine'); ALTER TABLE "
-          "step ADD COLUMN wind_mps REAL");
-  EXPECT_EQ(RunReader::open(path)->steps()->size(), 2U);
-}
-
-TEST(RunReader, DamagedRowsGiveASentenceThatNamesTheStep) {
-  const ScratchFolder folder;
-  const fs::path path = folder.path() / "R.nadir";
-  const auto damaged = [&](const std::string& sql, int step) {
-    record_run(path, 3, 20);
-    const std::string complaint = run_sql(path, sql);
-    EXPECT_EQ(complaint, "") << sql;
-    const auto run = RunReader::open(path);
-    return run ? error_text(run->step(step)) : error_text(run);
-  };
-  EXPECT_THAT(damaged("UPDATE particles SET count = 21 WHERE step = 1", 1),
-              HasSubstr("particles of step 1: its data do not hold 21 elements"));
-  EXPECT_THAT(damaged("UPDATE particles SET count = 1000000000000 WHERE step = 1", 1),
-              HasSubstr("is not in [0, 10000000]"));
-  EXPECT_THAT(damaged("UPDATE particles SET data = x'00' WHERE step = 1", 1),
-              HasSubstr("R.nadir: particles of step 1"));
-  EXPECT_THAT(
-      damaged("UPDATE particles SET data = substr(data, 1, length(data) - 1) WHERE step = 1", 1),
-      HasSubstr("cannot be unpacked"));
-  EXPECT_THAT(damaged("UPDATE topview SET metres_per_cell = -1 WHERE step = 2", 2),
-              HasSubstr("topview of step 2: its cells are -1 m wide"));
-  EXPECT_THAT(damaged("UPDATE step SET truth_y_m = NULL WHERE step = 2", 2),
-              HasSubstr("step 2 is damaged"));
-  EXPECT_THAT(damaged("UPDATE step SET estimate_x_m = 9e999 WHERE step = 0", 0),
-              HasSubstr("step 0 is damaged"));
-  EXPECT_THAT(damaged("UPDATE step SET particle_count = -1 WHERE step = 0", 0),
-              HasSubstr("step 0 is damaged"));
-  EXPECT_THAT(damaged("DROP TABLE mode", 0), HasSubstr("tables of a run are missing"));
-  EXPECT_THAT(damaged("DROP TABLE mode; CREATE VIEW mode AS SELECT 1", 0),
-              HasSubstr("tables of a run are missing"));
-  EXPECT_THAT(damaged("ALTER TABLE step DROP COLUMN update_ms", 0),
-              HasSubstr("is damaged or cut off"));
-  EXPECT_THAT(damaged("SELECT 1 WHERE 0", 7), HasSubstr("holds no step 7"));
-}
-
-TEST(RunReader, AFileCutOffAnywhereGivesOneSentence) {
-  const ScratchFolder folder;
-  record_run(folder.path() / "R.nadir", 6, 300);
-  const std::string whole = bytes_of(folder.path() / "R.nadir");
-  ASSERT_GT(whole.size(), 20'000U);
-  for (std::size_t size = 0; size < whole.size(); size += 512) {
-    const fs::path path = folder.file("cut.nadir", whole.substr(0, size));
-    const auto run = RunReader::open(path);
-    if (!run) {
-      EXPECT_EQ(error_code(run), ErrorCode::kMalformed) << size;
-      EXPECT_THAT(error_text(run), StartsWith(path.string() + ": ")) << size;
-      continue;
-    }
-    const auto steps = run->steps();
-    EXPECT_FALSE(steps && steps->size() == 6 && run->step(5).has_value()) << size;
-  }
-}
-
-TEST(RunReader, FlippedBytesNeverCrash) {
-  const ScratchFolder folder;
-  record_run(folder.path() / "R.nadir", 4, 50);
-  const std::string whole = bytes_of(folder.path() / "R.nadir");
-  for (std::size_t at = 0; at < whole.size(); at += 61) {
-    std::string damaged = whole;
-    damaged[at] = static_cast<char>(~damaged[at]);
-    const auto run = RunReader::open(folder.file("bad.nadir", damaged));
-    if (!run) continue;
-    const auto steps = run->steps();
-    if (steps) {
-      EXPECT_LE(steps->size(), 4U);
-    }
-    for (int i = 0; i < 4; ++i) {
-      const auto step = run->step(i);
-      if (step && step->particles) {
-        EXPECT_EQ(step->particles->weight.size(), step->particles->x_in_enu_m.size());
-      }
-    }
-  }
-}
-
-TEST(RunReader, StepsOfTenThousandParticlesAreWrittenInMilliseconds) {
+TEST(RunFile, StepsOfTenThousandParticlesAreWrittenInMilliseconds) {
   const ScratchFolder folder;
   auto writer = RunWriter::create(folder.path() / "R.nadir", {}).value();
   const RunStep first = example_step(0, 10'000);
@@ -410,6 +313,7 @@ TEST(RunReader, StepsOfTenThousandParticlesAreWrittenInMilliseconds) {
   for (int i = 0; i < 50; ++i) {
     RunStep step = first;
     step.step = i;
+    step.time_s = 0.1 * i;
     ASSERT_TRUE(writer.write(step));
   }
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/map/map_summary.h"
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
@@ -28,6 +29,11 @@ TEST(RunRecipe, SetsOptionsOfTopviewAndFilterOverItsPreset) {
   EXPECT_DOUBLE_EQ(recipe->options.topview.lane_marking_vote, 2.5);
   EXPECT_EQ(recipe->options.localiser.match, MatchKind::kDistance);
   EXPECT_EQ(recipe->options.localiser.likelihood, LikelihoodKind::kThesis);
+}
+
+TEST(RunPreset, OfTheDefaultWeighsClassesAsMapSummariesDo) {
+  EXPECT_EQ(run_preset("default").value().localiser.alpha, MapSummary{}.alpha_reading);
+  EXPECT_EQ(run_preset("thesis").value().localiser.alpha, ImportanceReading::kInverseShare);
 }
 
 TEST(RunRecipe, IsTheDefaultPresetWhenItIsEmpty) { EXPECT_EQ(fault(""), "none"); }

@@ -53,6 +53,20 @@ TEST_F(SqliteFile, GivesBackEveryKindOfValue) {
   EXPECT_FALSE(select->next().value());
 }
 
+TEST_F(SqliteFile, TellsNumbersFromWhatOnlyStandsInTheirPlace) {
+  const SqliteDatabase database = table();
+  ASSERT_TRUE(database.execute("INSERT INTO t VALUES (7), (7.0), ('7'), (x'37'), (NULL)"));
+  auto rows = database.prepare("SELECT x FROM t ORDER BY rowid");
+  ASSERT_TRUE(rows);
+  for (const auto& [is_number, is_whole] :
+       {std::pair(true, true), {true, false}, {false, false}, {false, false}, {false, false}}) {
+    ASSERT_TRUE(rows->next().value());
+    EXPECT_EQ(rows->is_number(0), is_number);
+    EXPECT_EQ(rows->is_whole(0), is_whole);
+    EXPECT_EQ(rows->column_name(0), "x");
+  }
+}
+
 TEST_F(SqliteFile, KeepsEmptyTextsAndBlobsApartFromNull) {
   const SqliteDatabase database = table();
   auto insert = database.prepare("INSERT INTO t VALUES (?)");
