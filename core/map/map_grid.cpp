@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "core/map/crs.h"
 #include "core/map/map_warp.h"
@@ -139,7 +140,43 @@ std::vector<std::string> notices_about(const Placement& placement,
   return notices;
 }
 
+/// The plane that a reference system is; nothing where it is none.
+std::optional<ProjectPlane> plane_of(const OGRSpatialReference& crs) {
+  const char* projection = crs.GetAttrValue("PROJECTION");
+  if (!crs.IsProjected() || projection == nullptr ||
+      std::string_view(projection) != SRS_PT_TRANSVERSE_MERCATOR) {
+    return std::nullopt;
+  }
+  const auto plane = ProjectPlane::create({crs.GetProjParm(SRS_PP_LATITUDE_OF_ORIGIN, 0.0),
+                                           crs.GetProjParm(SRS_PP_CENTRAL_MERIDIAN, 0.0)});
+  if (!plane) return std::nullopt;
+  // Scale, unit, false origin and ellipsoid all show in where two points lie, to a tenth of a
+  // millimetre.
+  constexpr double kToleranceDeg = 1e-9;
+  const auto geodetic_from_crs = CrsTransform::create(crs, wgs84());
+  if (!geodetic_from_crs) return std::nullopt;
+  for (const Eigen::Vector2d& point : {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(1e4, 1e4)}) {
+    const Geodetic expected = plane->geodetic_from_enu(point);
+    const auto found = (*geodetic_from_crs)(point);
+    if (!found || !(std::abs(found->x() - expected.longitude_deg) < kToleranceDeg) ||
+        !(std::abs(found->y() - expected.latitude_deg) < kToleranceDeg)) {
+      return std::nullopt;
+    }
+  }
+  return *plane;
+}
+
 }  // namespace
+
+std::optional<MapGrid> own_grid(const Placement& placement) {
+  const Affine2& affine = placement.crs_from_pixel;
+  const double cell_m = affine.linear(0, 0);
+  if (!affine.is_north_up() || affine.linear(1, 1) != -cell_m) return std::nullopt;
+  const GdalMessages messages;
+  const auto plane = plane_of(crs_from_wkt(placement.crs_wkt));
+  if (!plane) return std::nullopt;
+  return MapGrid{*plane, cell_m, affine.offset, placement.width, placement.height};
+}
 
 Result<PlannedGrid> plan_grid(const Placement& placement,
                               std::optional<double> metres_per_cell,

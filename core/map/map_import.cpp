@@ -107,14 +107,10 @@ Result<MapGrid> resampled(const MapGrid& grid, double metres_per_cell, const std
   return finer;
 }
 
-bool is_taken_cell_by_cell(const ImportOptions& options) {
-  return options.anchor.has_value() &&
-         options.metres_per_cell.value_or(*options.metres_per_pixel) == *options.metres_per_pixel;
-}
-
 Result<ColourRaster> import_image(const Placement& labels_placement,
                                   const MapGrid& grid,
                                   const ImportOptions& options,
+                                  bool is_taken_cell_by_cell,
                                   const WorkContext& context) {
   const GdalMessages messages;
   const std::string name = options.image.string();
@@ -137,7 +133,7 @@ Result<ColourRaster> import_image(const Placement& labels_placement,
                 labels_placement.height);
   }
   if (options.flip_vertically) flip_rows(*colours);
-  if (is_taken_cell_by_cell(options)) return colours;
+  if (is_taken_cell_by_cell) return colours;
   return warp_colours(*colours, labels_placement, grid, name, context);
 }
 
@@ -187,6 +183,7 @@ Result<ImportedMap> import_map(const fs::path& path,
   // Where the source lies and which cells the map gets.
   std::optional<Placement> placement = source->placement;
   std::optional<MapGrid> grid;
+  bool is_taken_cell_by_cell = false;
   if (options.anchor) {
     auto anchored = anchored_grid(source->labels, options);
     if (!anchored) return forward_error(anchored);
@@ -194,7 +191,11 @@ Result<ImportedMap> import_map(const fs::path& path,
     auto wanted =
         resampled(*anchored, options.metres_per_cell.value_or(anchored->metres_per_cell), name);
     if (!wanted) return forward_error(wanted);
+    is_taken_cell_by_cell = wanted->metres_per_cell == anchored->metres_per_cell;
     grid = std::move(*wanted);
+  } else if (auto own = own_grid(*placement); own && !options.metres_per_cell) {
+    is_taken_cell_by_cell = true;
+    grid = std::move(*own);
   } else {
     auto planned = plan_grid(*placement, options.metres_per_cell, name);
     if (!planned) return forward_error(planned);
@@ -204,7 +205,7 @@ Result<ImportedMap> import_map(const fs::path& path,
   }
 
   Raster<ClassId> labels = std::move(source->labels);
-  if (!is_taken_cell_by_cell(options)) {
+  if (!is_taken_cell_by_cell) {
     auto warped = warp_labels(labels, *placement, *grid, name, context);
     if (!warped) return forward_error(warped);
     labels = std::move(*warped);
@@ -219,7 +220,7 @@ Result<ImportedMap> import_map(const fs::path& path,
   }
   std::optional<ColourRaster> image;
   if (!options.image.empty()) {
-    auto imported = import_image(*placement, *grid, options, context);
+    auto imported = import_image(*placement, *grid, options, is_taken_cell_by_cell, context);
     if (!imported) return forward_error(imported);
     image = std::move(*imported);
   }

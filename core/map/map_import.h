@@ -54,8 +54,11 @@ struct ImportedMap {
 
 /// Makes a map from a label raster (GeoTIFF, PNG with world file, ...) or from a folder of class
 /// images; core/map/README.md has the rules. The plane is centred on the map, cells are square and
-/// north is up. A source with anchor keeps its cells as they are; any other is warped once, labels
-/// by nearest neighbour.
+/// north is up. A source with anchor keeps its cells as they are, and so do, plane and all, the labels
+/// of a map package; any other is warped once, labels by nearest neighbour.
+///
+/// Without a remap the source's values are taken as our classes; a notice says which became what,
+/// unless the source itself calls all of them as we do.
 ///
 /// Cars, pedestrians and sky become unclassified, for no overhead may hold them.
 ///

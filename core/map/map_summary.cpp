@@ -39,7 +39,7 @@ MapSummary summarise_map(const OverheadMap& map, const MapProvenance& provenance
   add("south-east corner", right, bottom);
   add("south-west corner", 0.0, bottom);
   summary.statistics = class_statistics(map.labels);
-  summary.alpha = importance_weights(summary.statistics, ImportanceReading::kInverseShare);
+  summary.alpha = importance_weights(summary.statistics, summary.alpha_reading);
   return summary;
 }
 

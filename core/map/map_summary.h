@@ -37,7 +37,9 @@ struct MapSummary {
   double metres_per_cell = 0.0;
   std::vector<MapPlace> places;  ///< Centre, then the corners clockwise from the north-west.
   ClassStatistics statistics;
-  ClassWeights alpha{};  ///< importance_weights by kInverseShare, the reading of preset `thesis`.
+  /// Of `alpha`: the reading of preset `default`. Preset `thesis` and its relatives use others.
+  ImportanceReading alpha_reading = ImportanceReading::kInverseRootShare;
+  ClassWeights alpha{};  ///< importance_weights() of this map by that reading.
 };
 
 [[nodiscard]] MapSummary summarise_map(const OverheadMap& map, const MapProvenance& provenance);

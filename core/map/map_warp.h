@@ -28,6 +28,10 @@ struct MapGrid {
 /// Where the grid lies, on its own plane.
 [[nodiscard]] Placement placement_on(const MapGrid& grid);
 
+/// The grid of a raster that is one of ours already: north-up square cells on a plane as
+/// ProjectPlane::wkt describes it, such as the labels of a map package. Nothing where it is not.
+[[nodiscard]] std::optional<MapGrid> own_grid(const Placement& placement);
+
 struct PlannedGrid {
   MapGrid grid;
   std::vector<std::string>

@@ -112,6 +112,21 @@ TEST_F(ClassImages, ThatStandForNoClassAreLeftOutAloud) {
   EXPECT_THAT(result->notices, Contains("curb.png holds no cell of its class"));
 }
 
+TEST_F(ClassImages, WithNumbersForNamesSayWhatTheyWereTakenFor) {
+  add("class0.png", mask({"X."}));
+  add("Class_3.png", mask({".X"}));
+  add("terrain.png", mask({"XX"}));
+  const auto result = import();
+  ASSERT_TRUE(result) << error_text(result);
+  EXPECT_THAT(result->notices,
+              testing::ElementsAre("without --remap numbers were taken as this program's classes: "
+                                   "Class_3.png as fence, class0.png as road"));
+  options.remap = ClassRemap::parse("[ids]\n0 = \"curb\"\n3 = \"pole\"\n", "r.toml").value();
+  const auto remapped = import();
+  ASSERT_TRUE(remapped) << error_text(remapped);
+  EXPECT_THAT(remapped->notices, testing::IsEmpty());
+}
+
 TEST_F(ClassImages, MustBeThere) {
   EXPECT_THAT(error_text(import()), HasSubstr("holds no class image"));
   add("class99.png", mask({"X"}));

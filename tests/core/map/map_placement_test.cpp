@@ -25,7 +25,7 @@ Affine2 truth() {
 
 /// Nine control points, the middle one off by some pixels.
 RasterFile with_control_points(double error_px) {
-  RasterFile file{.ids = patchwork(60, 45), .crs = kUtm};
+  RasterFile file{.ids = patchwork(60, 45), .crs = kUtm, .category_names = our_class_names()};
   for (const double column : {0.0, 30.0, 60.0}) {
     for (const double row : {0.0, 22.0, 45.0}) {
       const bool is_wrong = column == 30.0 && row == 22.0;

@@ -19,7 +19,14 @@ TEST(MapSummary, TellsSizePlacesAndShares) {
   EXPECT_EQ(summary.width_m, 6.0);
   EXPECT_EQ(summary.height_m, 4.0);
   EXPECT_EQ(summary.statistics.cells[kRoad], 4);
-  EXPECT_DOUBLE_EQ(summary.alpha[kTerrain] / summary.alpha[kRoad], 4.0);
+}
+
+TEST(MapSummary, WeighsClassesByTheReadingThatItNames) {
+  const MapSummary summary = summarise_map(drawn_map(2.0, {"RRT", "RRB"}), {});
+  // Four cells of road and one of terrain.
+  EXPECT_EQ(enum_name(summary.alpha_reading), "inverse-root-share");
+  EXPECT_DOUBLE_EQ(summary.alpha[kTerrain] / summary.alpha[kRoad], 2.0);
+  EXPECT_EQ(summary.alpha, importance_weights(summary.statistics, summary.alpha_reading));
 }
 
 TEST(MapSummary, NamesTheCentreAndTheCornersClockwise) {

@@ -227,6 +227,14 @@ std::string world_file(const Affine2& crs_from_pixel) {
                      linear(1, 1), centre.x(), centre.y());
 }
 
+std::vector<std::string> our_class_names() {
+  std::vector<std::string> names;
+  for (int id = 0; id < kClassCount; ++id) {
+    names.emplace_back(class_info(static_cast<ClassId>(id)).name);
+  }
+  return names;
+}
+
 Raster<std::uint8_t> patchwork(int width, int height) {
   constexpr std::array<ClassId, 3> kClasses{kRoad, kTerrain, kSidewalk};
   Raster<std::uint8_t> ids(width, height);

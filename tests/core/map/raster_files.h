@@ -64,6 +64,9 @@ void write_picture(const ColourRaster& picture, const std::filesystem::path& pat
 /// The six lines of a world file.
 [[nodiscard]] std::string world_file(const Affine2& crs_from_pixel);
 
+/// Names for the values of a raster that means by them what we mean.
+[[nodiscard]] std::vector<std::string> our_class_names();
+
 /// Blocks of road, terrain and sidewalk whose pattern repeats nowhere near.
 [[nodiscard]] Raster<std::uint8_t> patchwork(int width, int height);
 
