@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -11,6 +14,7 @@
 
 #include "core/base/field.h"
 #include "core/base/result.h"
+#include "core/geo/project_plane.h"
 
 namespace CLI {
 class App;
@@ -25,8 +29,35 @@ namespace nadir::cli {
                                                  std::ostream& out,
                                                  std::ostream& err);
 
-/// Prints an error as the program's one sentence. Returns the exit status of a failure.
+/// Prints an error about files or data as the program's one sentence. Returns kFailed.
 int report_error(std::ostream& err, const Error& error);
+
+/// Prints what is wrong with the command line of `command` ("nadir map info") and where help is. Returns kMisused.
+int report_misuse(std::ostream& err, const std::string& command, const std::string& complaint);
+
+/// The same of a command line that is well formed but gives a flag a value that it cannot have. Returns kFailed.
+int report_value_error(std::ostream& err, const std::string& command, const std::string& complaint);
+
+/// Of what was made of flags: kInvalidOptions is a value error of the command line, anything else (a file that a flag
+/// names) is the file's. What a file says must therefore not come here as kInvalidOptions; see blame_file(). Returns kFailed.
+int report_flags_error(std::ostream& err, const std::string& command, const Error& error);
+
+/// The same error where a file and not the command line is at fault.
+[[nodiscard]] Error blame_file(Error error);
+
+/// Checks of single values for CLI::Option::check(): empty where the text is fine, else the complaint that follows the
+/// flag's name: "'abc' is not a whole number from 1 on".
+using ValueCheck = std::function<std::string(const std::string&)>;
+[[nodiscard]] ValueCheck is_whole_number(
+    std::int64_t minimum, std::int64_t maximum = std::numeric_limits<std::int64_t>::max());
+[[nodiscard]] ValueCheck is_number();
+[[nodiscard]] ValueCheck is_one_of(std::vector<std::string> choices);
+
+/// "{easy|medium|hard}", as help pages show choices.
+[[nodiscard]] std::string choices_text(const std::vector<std::string>& choices);
+
+/// --threads, the same for every command that has it.
+void add_threads_flag(CLI::App& app, int& threads);
 
 /// Flags that set options by name, as text that set_option() reads after parsing.
 using OptionFlags = std::map<std::string, std::string>;
@@ -41,6 +72,10 @@ void add_option_flags(CLI::App& app,
 [[nodiscard]] Result<std::vector<double>> parse_list(const std::string& flag,
                                                      const std::string& text,
                                                      std::size_t count);
+
+/// "LAT,LON" in degrees, north and east positive, where a project plane may lie: not at the poles. @errors kInvalidOptions,
+/// naming the flag.
+[[nodiscard]] Result<Geodetic> parse_place(const std::string& flag, const std::string& text);
 
 /// A path that is there, or what the program brings along: "maps/proving-ground", or a map by its name alone.
 [[nodiscard]] std::filesystem::path find_bundled(const std::filesystem::path& path);

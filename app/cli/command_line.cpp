@@ -6,6 +6,7 @@
 #include <exception>
 #include <vector>
 
+#include "app/cli/arguments.h"
 #include "core/base/settings.h"
 #include "core/base/version.h"
 
@@ -29,7 +30,13 @@ void print_help(std::ostream& out) {
     out << "  " << command.name << std::string(12 - command.name.size(), ' ') << command.summary
         << "\n";
   }
-  out << "\n'nadir COMMAND --help' explains a command. Start with 'nadir demo --out demo'.\n";
+  out << "\n'nadir COMMAND --help' explains a command. Start with 'nadir demo --out demo'.\n"
+         "'nadir --version' tells the version.\n"
+         "\nResults go to standard output, words to standard error. Exit status:\n"
+         "  0  done\n"
+         "  1  failed: something about files, what is in them, or a value out of its range\n"
+         "  2  misused: an unknown flag or command, a missing argument, flags that exclude\n"
+         "     each other\n";
 }
 
 int refuse_unknown(const std::string& word, std::ostream& err) {
@@ -37,9 +44,9 @@ int refuse_unknown(const std::string& word, std::ostream& err) {
   names.reserve(kCommands.size());
   for (const Command& command : kCommands) names.emplace_back(command.name);
   const std::string nearest = nearest_word(word, names);
-  err << "nadir: '" << word << "' is not a command"
-      << (nearest.empty() ? "" : " (did you mean " + nearest + "?)") << "; see 'nadir --help'\n";
-  return kMisused;
+  const std::string hint = nearest.empty() ? "" : " (did you mean " + nearest + "?)";
+  if (word.rfind('-', 0) == 0) return report_misuse(err, "nadir", word + ": no such flag" + hint);
+  return report_misuse(err, "nadir", "'" + word + "' is not a command" + hint);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
+#include "app/cli/console.h"
 #include "app/cli/localise_flow.h"
 #include "app/cli/simulate_flow.h"
 #include "core/base/parallel.h"
@@ -19,23 +20,41 @@ namespace fs = std::filesystem;
 
 constexpr const char* kBundledMap = "maps/proving-ground";
 
-/// Copies the map beside flight and run, so that the folder can be moved or sent as a whole. One that is there already is
-/// left alone: somebody may have worked on it.
-Result<void> copy_map(const fs::path& from, const fs::path& to) {
+constexpr const char* kName = "nadir demo";
+
+/// Makes the folder of the demo with a copy of the map, so that it can be moved or sent as a whole. A map that is there
+/// already is left alone: somebody may have worked on it. @errors kNotFound: no map to copy; kCancelled; kIo.
+Result<void> prepare_folder(const fs::path& folder,
+                            const fs::path& from,
+                            const std::stop_token& stop) {
+  const fs::path to = folder / "map";
   std::error_code error;
   if (fs::exists(to / "map.toml", error)) return {};
-  auto staged = StagedOutput::folder(to, "map.toml");
-  if (!staged) return forward_error(staged);
-  fs::copy(from, staged->path(), fs::copy_options::recursive, error);
-  if (error) return fail(ErrorCode::kIo, "{}: {}: {}", to.string(), from.string(), error.message());
-  return staged->commit();
-}
-
-Result<void> make_folder(const fs::path& folder) {
-  std::error_code error;
+  if (!fs::exists(from / "map.toml", error)) {
+    return fail(ErrorCode::kNotFound,
+                "{}: the bundled map is missing from this installation of Nadir", from.string());
+  }
   fs::create_directories(folder, error);
   if (error) return fail(ErrorCode::kIo, "{}: {}", folder.string(), error.message());
-  return {};
+  auto staged = StagedOutput::folder(to, "map.toml");
+  if (!staged) return forward_error(staged);
+  for (fs::recursive_directory_iterator at(from, error), end; !error && at != end;
+       at.increment(error)) {
+    if (stop.stop_requested()) return fail(ErrorCode::kCancelled, "the demo was stopped");
+    const fs::path copy = staged->path() / at->path().lexically_relative(from);
+    std::error_code failed;
+    if (at->is_directory(failed)) {
+      fs::create_directory(copy, failed);
+    } else {
+      fs::copy_file(at->path(), copy, failed);
+    }
+    if (failed) {
+      return fail(ErrorCode::kIo, "{}: cannot be copied to {}: {}", at->path().string(),
+                  to.string(), failed.message());
+    }
+  }
+  if (error) return fail(ErrorCode::kIo, "{}: {}", from.string(), error.message());
+  return staged->commit();
 }
 
 std::string what_next(const fs::path& folder) {
@@ -50,58 +69,73 @@ std::string what_next(const fs::path& folder) {
       folder.string(), program);
 }
 
-}  // namespace
-
-int run_demo(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
-  CLI::App app("Makes a flight over the bundled town, localises it and prints the errors",
-               "nadir demo");
-  std::string folder_name = "nadir-demo";
+struct DemoArguments {
+  std::string folder = "nadir-demo";
   std::string seed = "1";
-  bool is_quiet = false;
-  bool is_json = false;
+  bool is_quiet = false, is_json = false;
   int threads = 0;
-  app.add_option("--out", folder_name, "Folder for map, flight, run and table, default nadir-demo");
-  app.add_option("--seed", seed, "Of the flight and of the localiser, default 1");
-  app.add_option("--threads", threads,
-                 "Threads; 0 is all there are. The result does not depend on it")
-      ->check(CLI::Range(0, 1024));
-  app.add_flag("--json", is_json, "Print one JSON object instead of the table");
-  app.add_flag("--quiet", is_quiet, "No progress and no words beside the result");
-  if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
-  SimulateTask flight;
-  LocaliseTask task;
-  for (const auto& set :
-       {set_option(flight.options, "seed", seed), set_option(task.request.options, "seed", seed)}) {
-    if (!set) return report_error(err, set.error());
-  }
+};
 
-  const ThreadLimit limit(threads);
-  const fs::path folder = folder_name;
-  if (const auto made = make_folder(folder); !made) return report_error(err, made.error());
-  if (const auto copied = copy_map(find_bundled(kBundledMap), folder / "map"); !copied) {
-    return report_error(err, copied.error());
-  }
+void add_arguments(CLI::App& app, DemoArguments& values) {
+  app.add_option("--out", values.folder, "For map, flight, run and table, default nadir-demo")
+      ->type_name("FOLDER");
+  app.add_option("--seed", values.seed, "Of the flight and of the localiser, 0 or more, default 1")
+      ->type_name("NUMBER");
+  add_threads_flag(app, values.threads);
+  app.add_flag("--json", values.is_json, "Print one JSON object instead of the table");
+  app.add_flag("--quiet", values.is_quiet, "No progress and no words beside the result");
+}
+
+/// Flight, run and tables in the folder of the demo, where its map lies already.
+Result<RunEvaluation> fly_and_localise(SimulateTask flight,
+                                       LocaliseTask task,
+                                       const fs::path& folder,
+                                       const std::stop_token& stop,
+                                       std::ostream& err) {
   flight.map = folder / "map";
   flight.flight = folder / "flight";
-  flight.is_quiet = is_quiet;
-  if (const auto made = simulate(flight, err); !made) return report_error(err, made.error());
-
+  if (const auto made = simulate(flight, stop, err); !made) return forward_error(made);
   task.flight = folder / "flight";
   task.map = folder / "map";
   task.run = folder / "run.nadir";
-  task.is_quiet = is_quiet;
-  const auto result = localise_and_evaluate(task, err);
-  if (!result) return report_error(err, result.error());
+  auto result = localise_and_evaluate(task, stop, err);
+  if (!result) return forward_error(result);
   const std::span runs(&result->evaluation, 1);
-  const std::string table = report_as_text(runs);
-  const std::string json = report_as_json(runs);
-  for (const auto& [name, text] : {std::pair("table.txt", table), std::pair("table.json", json)}) {
+  for (const auto& [name, text] : {std::pair("table.txt", report_as_text(runs)),
+                                   std::pair("table.json", report_as_json(runs))}) {
     if (const auto written = write_text_file(folder / name, text); !written) {
-      return report_error(err, written.error());
+      return forward_error(written);
     }
   }
-  out << (is_json ? json : table);
-  if (!is_quiet) err << what_next(folder);
+  return std::move(result->evaluation);
+}
+
+}  // namespace
+
+int run_demo(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
+  CLI::App app("Makes a flight over the bundled town, localises it and prints the errors", kName);
+  DemoArguments values;
+  add_arguments(app, values);
+  if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
+  SimulateTask flight;
+  LocaliseTask task;
+  flight.is_quiet = task.is_quiet = values.is_quiet;
+  for (const auto& set : {set_option(flight.options, "seed", values.seed),
+                          set_option(task.request.options, "seed", values.seed)}) {
+    if (!set) return report_flags_error(err, kName, set.error());
+  }
+
+  const ThreadLimit limit(values.threads);
+  const Interrupt interrupt;
+  const fs::path folder = values.folder;
+  const auto prepared = prepare_folder(folder, find_bundled(kBundledMap), interrupt.token());
+  if (!prepared) return report_error(err, prepared.error());
+  const auto evaluation =
+      fly_and_localise(std::move(flight), std::move(task), folder, interrupt.token(), err);
+  if (!evaluation) return report_error(err, evaluation.error());
+  const std::span runs(&*evaluation, 1);
+  out << (values.is_json ? report_as_json(runs) : report_as_text(runs));
+  if (!values.is_quiet) err << what_next(folder);
   return kDone;
 }
 

@@ -40,6 +40,8 @@ Json json_of(const StreamSummary& stream) {
           {"end_s", stream.span.end_s},
           {"rate_hz", or_null(stream.rate_hz)},
           {"jitter_s", or_null(stream.jitter_s)},
+          {"duplicates", stream.duplicates},
+          {"source", stream.source},
           {"gaps", gaps}};
 }
 
@@ -71,6 +73,7 @@ Json json_of(const FlightDescription& flight, const FlightSummary& summary) {
       {"camera", flight.camera ? json_of(*flight.camera, flight.body_from_camera) : Json(nullptr)},
       {"altitude_m", flight.altitude_m},
       {"odometry_length_m", or_null(summary.odometry_length_m)},
+      {"odometry_summed_m", or_null(summary.odometry_summed_m)},
       {"truth_length_m", or_null(summary.truth_length_m)},
       {"truth_origin", nullptr},
       {"are_times_sane", summary.are_times_sane},
@@ -104,11 +107,10 @@ void print_camera(const FlightDescription& flight, std::ostream& out) {
   const CameraModel& camera = *flight.camera;
   const Eigen::Vector3d& mount_m = flight.body_from_camera.translation_m;
   out << fmt::format(
-      "camera    {} x {} px, {:.2f} deg wide, focal length {:.2f} x {:.2f} px, centre ({:.2f}, "
-      "{:.2f}) px\n          at ({:.3f}, {:.3f}, {:.3f}) m in body (forward, left, up)\n",
+      "camera    {} x {} px, {:.2f} deg wide, focal length {:.2f} x {:.2f} px\n"
+      "          centre {}\n          at ({:.3f}, {:.3f}, {:.3f}) m in body (forward, left, up)\n",
       camera.width, camera.height, horizontal_view_deg(camera), camera.focal_x_px,
-      camera.focal_y_px, camera.centre_x_px, camera.centre_y_px, mount_m.x(), mount_m.y(),
-      mount_m.z());
+      camera.focal_y_px, centre_text(camera), mount_m.x(), mount_m.y(), mount_m.z());
 }
 
 void print_text(const FlightDescription& flight,
@@ -118,6 +120,10 @@ void print_text(const FlightDescription& flight,
   out << fmt::format("{} ({})\n{}\n", flight.name, flight.format, flight.path.string());
   print_streams(summary, out);
   out << '\n';
+  for (const StreamSummary& stream : summary.streams) {
+    if (!stream.source.empty())
+      out << fmt::format("source    {} from {}\n", stream.name, stream.source);
+  }
   if (summary.overlap) {
     out << fmt::format("overlap   {:.3f} s, from {:.3f} s to {:.3f} s\n",
                        summary.overlap->length_s(), summary.overlap->start_s,
@@ -126,9 +132,14 @@ void print_text(const FlightDescription& flight,
     out << "overlap   none\n";
   }
   out << fmt::format("times     {}\n", summary.are_times_sane ? "sane" : "not sane");
-  if (summary.truth_length_m) out << fmt::format("truth     {:.1f} m\n", *summary.truth_length_m);
+  if (summary.truth_length_m) {
+    out << fmt::format("truth     {:.1f} m, all steps summed\n", *summary.truth_length_m);
+  }
   if (summary.odometry_length_m) {
-    out << fmt::format("odometry  {:.1f} m\n", *summary.odometry_length_m);
+    out << fmt::format(
+        "odometry  {:.1f} m between places {:g} m apart; its steps sum to {:.1f} m, noise "
+        "included\n",
+        *summary.odometry_length_m, kWayPieceM, *summary.odometry_summed_m);
   }
   if (flight.truth_origin) out << "origin    " << geodetic_text(*flight.truth_origin) << '\n';
   if (flight.altitude_m > 0.0) out << fmt::format("altitude  {:.2f} m\n", flight.altitude_m);
@@ -153,9 +164,9 @@ int run_flight(std::span<const std::string> arguments, std::ostream& out, std::o
   std::string path;
   bool is_json = false;
   bool is_quiet = false;
-  info.add_option(
-          "FLIGHT", path,
-          "A flight folder, a KITTI raw drive, a KITTI odometry folder or a trajectory file")
+  info.add_option("FLIGHT", path,
+                  "A folder with flight.toml, a KITTI raw drive, a KITTI odometry folder or a "
+                  "trajectory file (TUM)")
       ->required();
   info.add_flag("--json", is_json, "One JSON object with SI units in its key names");
   info.add_flag("--quiet", is_quiet, "No notices, only facts");

@@ -5,6 +5,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
+#include "app/cli/console.h"
 #include "app/cli/localise_flow.h"
 #include "core/base/angle.h"
 #include "core/base/parallel.h"
@@ -14,7 +15,7 @@ namespace nadir::cli {
 namespace {
 
 struct LocaliseArguments {
-  std::string flight, map, run, preset = "default", recipe, prior, prior_sigma;
+  std::string flight, map, run, trajectory, preset = "default", recipe, prior, prior_sigma;
   bool is_global = false, is_json = false, is_quiet = false;
   bool has_no_particles = false, has_no_topviews = false;
   int threads = 0;
@@ -22,40 +23,64 @@ struct LocaliseArguments {
   OptionFlags options;
 };
 
-void add_arguments(CLI::App& app, LocaliseArguments& values) {
-  app.add_option("FLIGHT", values.flight,
-                 "Recorded flight: a folder with flight.toml, a KITTI drive")
-      ->required();
-  app.add_option("--map", values.map, "Labelled overhead: a map package, or a bundled one by name")
-      ->required();
-  app.add_option("--out", values.run,
-                 "Run file to write (NAME.nadir); without it only the table is printed");
-  CLI::Option* preset = app.add_option("--preset", values.preset,
-                                       "default, thesis, thesis-literal-alpha or thesis-hard");
-  app.add_option("--recipe", values.recipe,
-                 "TOML file with a preset and options; flags win over it")
-      ->excludes(preset);
+constexpr const char* kName = "nadir localise";
+
+void add_start_flags(CLI::App& app, LocaliseArguments& values) {
   CLI::Option* prior =
       app.add_option("--prior", values.prior,
-                     "Start as E,N,YAW: metres, metres, degrees counter-clockwise from east");
+                     "Where the flight starts: metres east and north on the map's plane, degrees "
+                     "counter-clockwise from east")
+          ->type_name("E,N,YAW");
   app.add_option("--prior-sigma", values.prior_sigma,
-                 "Spread of the start as METRES,DEGREES, default 2.24,28.6")
+                 "Standard deviations of the start: metres along each axis, degrees; default "
+                 "2.24,28.6")
+      ->type_name("METRES,DEGREES")
       ->needs(prior);
   app.add_flag("--global", values.is_global, "Nothing is known about the start")->excludes(prior);
-  app.add_option("--frames", values.most_frames, "Stop after so many frames")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40U));
+}
+
+void add_arguments(CLI::App& app, LocaliseArguments& values) {
+  app.add_option("FLIGHT", values.flight,
+                 "Recorded flight with labels, depth and odometry: a folder with flight.toml; "
+                 "'nadir flight info' tells what a recording holds")
+      ->required();
+  app.add_option("--map", values.map,
+                 "Labelled overhead: a map package (a folder with map.toml), or a bundled one by "
+                 "its name")
+      ->type_name("MAP")
+      ->required();
+  app.add_option("--out", values.run,
+                 "Run file to write, such as run.nadir; without it only the table is printed")
+      ->type_name("FILE");
+  app.add_option("--trajectory", values.trajectory,
+                 "Also write the estimated trajectory as TUM text (time x y z qx qy qz qw, metres "
+                 "east and north on the map's plane), as evo reads it")
+      ->type_name("FILE");
+  const std::vector<std::string> presets = localiser_preset_names();
+  CLI::Option* preset =
+      app.add_option("--preset", values.preset, "Set of options to begin with, default default")
+          ->type_name(choices_text(presets))
+          ->check(is_one_of(presets));
+  app.add_option("--recipe", values.recipe,
+                 "TOML file with a preset and options; flags win over what it says")
+      ->type_name("FILE")
+      ->excludes(preset);
+  add_start_flags(app, values);
+  app.add_option("--frames", values.most_frames, "Stop after so many frames, 1 or more")
+      ->type_name("NUMBER")
+      ->check(is_whole_number(1));
   app.add_flag("--no-particles", values.has_no_particles,
                "Leave the particles out of the run file");
   app.add_flag("--no-topviews", values.has_no_topviews, "Leave the topviews out of the run file");
-  app.add_option("--threads", values.threads,
-                 "Threads; 0 is all there are. The result does not depend on it")
-      ->check(CLI::Range(0, 1024));
+  add_threads_flag(app, values.threads);
   app.add_flag("--json", values.is_json, "Print one JSON object instead of the table");
   app.add_flag("--quiet", values.is_quiet, "No progress and no words beside the result");
-  add_option_flags(app, "Options of the localiser (defaults of preset 'default')",
+  add_option_flags(app, "Options of the localiser (defaults are those of preset 'default')",
                    option_texts(RunOptions{}), values.options);
   app.footer(
-      "Without --prior and --global the flight starts at its own truth, with the spread above.");
+      "Without --prior and --global the flight starts at its own truth, with the\n"
+      "default of --prior-sigma.\n"
+      "Example: nadir localise flight --map maps/proving-ground --out run.nadir");
 }
 
 Result<std::optional<Prior>> prior_of(const LocaliseArguments& values) {
@@ -68,17 +93,27 @@ Result<std::optional<Prior>> prior_of(const LocaliseArguments& values) {
   if (!values.prior_sigma.empty()) {
     const auto sigma = parse_list("--prior-sigma", values.prior_sigma, 2);
     if (!sigma) return forward_error(sigma);
+    if ((*sigma)[0] < 0.0 || (*sigma)[1] < 0.0) {
+      return fail(ErrorCode::kInvalidOptions, "--prior-sigma: '{}' holds a negative deviation",
+                  values.prior_sigma);
+    }
     prior.position_sigma_m = (*sigma)[0];
     prior.yaw_sigma_rad = Angle::degrees((*sigma)[1]).radians();
   }
   return std::optional<Prior>(prior);
 }
 
+/// @errors kInvalidOptions where the command line is at fault, other codes where a recipe is.
 Result<LocaliseTask> task_of(const LocaliseArguments& values) {
   LocaliseTask task;
   task.flight = values.flight;
   task.map = values.map;
   if (!values.run.empty()) task.run = values.run;
+  if (!values.trajectory.empty()) task.trajectory = values.trajectory;
+  if (task.run && task.run == task.trajectory) {
+    return fail(ErrorCode::kInvalidOptions, "--trajectory: {} is the run file of --out",
+                values.trajectory);
+  }
   task.is_quiet = values.is_quiet;
   if (values.recipe.empty()) {
     const auto options = run_preset(values.preset);
@@ -87,7 +122,7 @@ Result<LocaliseTask> task_of(const LocaliseArguments& values) {
     task.request.options = *options;
   } else {
     const auto recipe = read_run_recipe(values.recipe);
-    if (!recipe) return forward_error(recipe);
+    if (!recipe) return tl::unexpected(blame_file(recipe.error()));
     task.preset = recipe->preset;
     task.request.options = recipe->options;
   }
@@ -110,15 +145,16 @@ Result<LocaliseTask> task_of(const LocaliseArguments& values) {
 }  // namespace
 
 int run_localise(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
-  CLI::App app("Localises a recorded flight on a labelled overhead", "nadir localise");
+  CLI::App app("Localises a recorded flight on a labelled overhead", kName);
   LocaliseArguments values;
   add_arguments(app, values);
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
   const auto task = task_of(values);
-  if (!task) return report_error(err, task.error());
+  if (!task) return report_flags_error(err, kName, task.error());
 
   const ThreadLimit limit(values.threads);
-  const auto result = localise_and_evaluate(*task, err);
+  const Interrupt interrupt;
+  const auto result = localise_and_evaluate(*task, interrupt.token(), err);
   if (!result) return report_error(err, result.error());
   const std::span runs(&result->evaluation, 1);
   out << (values.is_json ? report_as_json(runs) : report_as_text(runs) + "\n" + result->ending);

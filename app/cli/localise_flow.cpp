@@ -9,6 +9,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/console.h"
+#include "app/cli/trajectory_output.h"
 #include "core/base/angle.h"
 #include "core/map/overhead_map_file.h"
 #include "core/run/evaluate_run.h"
@@ -50,6 +51,13 @@ std::string ending_of(const RunStep& step, const ProjectPlane& plane) {
                         step.estimate.modes.size(), 100.0 * step.estimate.modes.front().mass);
   }
   return text;
+}
+
+/// The library says "prior: ..."; whoever gave one knows it as --prior. A start that is the flight's own truth is named by
+/// the same word, and --prior is what to do about it.
+Error named_after_flag(Error error) {
+  if (error.message.rfind("prior: ", 0) == 0) error.message.insert(0, "--");
+  return error;
 }
 
 /// Steps of a run as they come: into the file, where there is one, and always into the evaluation. An earlier run of the
@@ -95,6 +103,7 @@ class Recorder {
   }
 
   [[nodiscard]] std::size_t step_count() const { return steps_.size(); }
+  [[nodiscard]] std::span<const EvaluatedStep> steps() const { return steps_; }
   [[nodiscard]] const RunStep& last() const { return last_; }
 
  private:
@@ -127,13 +136,19 @@ class Recorder {
 
 }  // namespace
 
-Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task, std::ostream& err) {
-  const Interrupt interrupt;
+Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task,
+                                             const std::stop_token& stop,
+                                             std::ostream& err) {
+  if (task.trajectory) {
+    if (const auto free = check_trajectory_file(*task.trajectory); !free) {
+      return forward_error(free);
+    }
+  }
   const std::filesystem::path map_path = find_bundled(task.map);
   auto map = read_overhead_map(map_path);
-  if (!map) return forward_error(map);
+  if (!map) return forward_error(map, "--map");
   if (const auto usable = check_usable_for_localising(*map); !usable) {
-    return forward_error(usable, map_path.string());
+    return forward_error(usable, "--map: " + map_path.string());
   }
   const auto flight = open_flight(task.flight);
   if (!flight) return forward_error(flight);
@@ -146,9 +161,9 @@ Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task, std::ostr
   {
     ProgressBar bar(err, task.is_quiet);
     bar.show(0.0, "preparing the map");
-    const WorkContext context{
-        interrupt.token(),
-        [&bar](double fraction, const std::string& activity) { bar.show(fraction, activity); }};
+    const WorkContext context{stop, [&bar](double fraction, const std::string& activity) {
+                                bar.show(fraction, activity);
+                              }};
     summary = localise_flight(
         **flight, index, task.request,
         [&recorder](const RunStep& step) { return recorder.record(step); }, context);
@@ -160,13 +175,18 @@ Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task, std::ostr
   }
   if (!summary) {
     recorder.discard();
-    return forward_error(summary);
+    return tl::unexpected(named_after_flag(summary.error()));
   }
   if (!task.is_quiet) say_what_was_left_out(*summary, err);
   auto evaluation = recorder.finish();
   if (!evaluation) {
     recorder.discard();
     return forward_error(evaluation);
+  }
+  if (task.trajectory) {
+    const auto written = write_estimated_trajectory(
+        *task.trajectory, recorder.steps(), index->map().plane.origin(), evaluation->flight);
+    if (!written) return forward_error(written);
   }
   return LocaliseResult{std::move(*evaluation), ending_of(recorder.last(), index->map().plane)};
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <ostream>
+#include <stop_token>
 #include <string>
 
 #include "core/eval/run_evaluation.h"
@@ -15,6 +16,7 @@ namespace nadir::cli {
 struct LocaliseTask {
   std::filesystem::path flight, map;
   std::optional<std::filesystem::path> run;  ///< Run file to write; without one nothing is kept.
+  std::optional<std::filesystem::path> trajectory;  ///< TUM file of the estimates to write.
   std::string preset = "default";
   LocaliseRequest request;
   bool is_quiet = false;
@@ -27,9 +29,11 @@ struct LocaliseResult {
       ending;  ///< Where the vehicle is at the end and how sure that is, in one line for people.
 };
 
-/// Localises with a progress bar and judges the result. Words go to `err`. Ctrl+C stops it cleanly: the run file then holds
-/// the steps so far. @errors as localise_flight: then no new run file is left, and an earlier one of that name is as it was.
+/// Localises with a progress bar and judges the result. Words go to `err`. `stop` stops it cleanly: the run file then holds
+/// the steps so far, and no trajectory is written. @errors as localise_flight: then no new run file is left, and an earlier
+/// one of that name is as it was. A trajectory that cannot be written (kIo) leaves the run file whole.
 [[nodiscard]] Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task,
+                                                           const std::stop_token& stop,
                                                            std::ostream& err);
 
 }  // namespace nadir::cli

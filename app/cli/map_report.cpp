@@ -70,7 +70,10 @@ std::string map_text(const MapSummary& summary, const std::optional<MapPlace>& a
                         place.utm, place.mgrs);
   }
   text += "\n" + class_table_text(summary);
-  text += "alpha: weight of a class by inverse share, mean 1 over the classified cells\n";
+  text += fmt::format(
+      "alpha: weight of a class by {} (preset default; the thesis's presets use others), mean 1 "
+      "over the classified cells\n",
+      enum_name(summary.alpha_reading));
   if (asked) text += "\n" + place_text(*asked);
   return text;
 }

@@ -6,6 +6,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
+#include "app/cli/console.h"
 #include "app/cli/simulate_flow.h"
 #include "core/base/angle.h"
 #include "core/base/parallel.h"
@@ -21,36 +22,51 @@ struct SimulateArguments {
   OptionFlags options;
 };
 
-void add_arguments(CLI::App& app, SimulateArguments& values) {
-  app.add_option("MAP", values.map, "Labelled overhead: a map package, or a bundled one by name")
-      ->required();
-  app.add_option("--out", values.out, "Flight folder to write")->required();
-  CLI::Option* route = app.add_option("--route", values.route,
-                                      "Route file; default: the map's own routes/loop.toml");
+constexpr const char* kName = "nadir simulate";
+
+void add_path_flags(CLI::App& app, SimulateArguments& values) {
+  CLI::Option* route =
+      app.add_option("--route", values.route,
+                     "Route to fly (TOML); default: the map's own routes/loop.toml")
+          ->type_name("FILE");
   CLI::Option* truth =
       app.add_option("--truth", values.truth,
-                     "Observe the map along this recorded true path (TUM, or KITTI poses)");
-  truth->excludes(route);
-  app.add_option("--odometry", values.odometry, "Recorded odometry of the same times as the truth")
+                     "Observe the map along this recorded true path (TUM text, or KITTI poses)")
+          ->type_name("FILE")
+          ->excludes(route);
+  app.add_option("--odometry", values.odometry,
+                 "Recorded odometry with the times of the truth; default: odometry is simulated")
+      ->type_name("FILE")
       ->needs(truth);
   app.add_option("--times", values.times,
-                 "Time of each KITTI pose; default times.txt beside the poses")
+                 "Time of each KITTI pose; default: times.txt beside the poses")
+      ->type_name("FILE")
       ->needs(truth);
   app.add_option("--start", values.start,
-                 "Lay the first true pose here: E,N,YAW in metres, metres, degrees "
+                 "Lay the first true pose here: metres east and north on the map's plane, degrees "
                  "counter-clockwise from east")
+      ->type_name("E,N,YAW")
       ->needs(truth);
-  app.add_option("--threads", values.threads,
-                 "Threads; 0 is all there are. The result does not depend on it")
-      ->check(CLI::Range(0, 1024));
+}
+
+void add_arguments(CLI::App& app, SimulateArguments& values) {
+  app.add_option("MAP", values.map,
+                 "Labelled overhead: a map package (a folder with map.toml), or a bundled one by "
+                 "its name")
+      ->required();
+  app.add_option("--out", values.out, "Flight folder to write")->type_name("FOLDER")->required();
+  add_path_flags(app, values);
+  add_threads_flag(app, values.threads);
   app.add_flag("--quiet", values.is_quiet, "No progress and no words");
   add_option_flags(app, "Options of the simulation", option_texts(SimulationOptions{}),
                    values.options);
+  app.footer("Example: nadir simulate maps/proving-ground --level hard --seed 7 --out flight");
 }
 
+/// @errors kInvalidOptions where the command line is at fault, other codes where a file is.
 Result<FlownPath> recorded_path(const SimulateArguments& values, double camera_height_m) {
   const auto truth = read_trajectory(values.truth, values.times);
-  if (!truth) return forward_error(truth);
+  if (!truth) return tl::unexpected(blame_file(truth.error().within("--truth")));
   std::optional<Rigid2> start;
   if (!values.start.empty()) {
     const auto numbers = parse_list("--start", values.start, 3);
@@ -61,7 +77,7 @@ Result<FlownPath> recorded_path(const SimulateArguments& values, double camera_h
                  place_recorded_path(*truth, start, camera_height_m), std::nullopt, std::nullopt};
   if (!values.odometry.empty()) {
     auto odometry = read_trajectory(values.odometry, values.times);
-    if (!odometry) return forward_error(odometry);
+    if (!odometry) return tl::unexpected(blame_file(odometry.error().within("--odometry")));
     path.odometry = std::move(*odometry);
   }
   return path;
@@ -70,7 +86,7 @@ Result<FlownPath> recorded_path(const SimulateArguments& values, double camera_h
 }  // namespace
 
 int run_simulate(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
-  CLI::App app("Makes a flight with known truth on a labelled overhead", "nadir simulate");
+  CLI::App app("Makes a flight with known truth on a labelled overhead", kName);
   SimulateArguments values;
   add_arguments(app, values);
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
@@ -82,12 +98,12 @@ int run_simulate(std::span<const std::string> arguments, std::ostream& out, std:
   task.is_quiet = values.is_quiet;
   for (const auto& [name, text] : values.options) {
     if (const auto set = set_option(task.options, name, text); !set) {
-      return report_error(err, set.error());
+      return report_flags_error(err, kName, set.error());
     }
   }
   if (!values.truth.empty()) {
     auto path = recorded_path(values, task.options.camera_height_m);
-    if (!path) return report_error(err, path.error());
+    if (!path) return report_flags_error(err, kName, path.error());
     task.path = std::move(*path);
   }
   if (!values.truth.empty() && values.start.empty() && !values.is_quiet) {
@@ -95,7 +111,8 @@ int run_simulate(std::span<const std::string> arguments, std::ostream& out, std:
            "pose elsewhere\n";
   }
   const ThreadLimit limit(values.threads);
-  const auto flight = simulate(task, err);
+  const Interrupt interrupt;
+  const auto flight = simulate(task, interrupt.token(), err);
   if (!flight) return report_error(err, flight.error());
   if (!values.is_quiet) {
     err << fmt::format("{}: {} frames, {:.1f} s, {:.1f} m\n", flight->folder.string(),

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <ostream>
+#include <stop_token>
 
 #include "core/sim/simulated_flight.h"
 
@@ -18,8 +19,10 @@ struct SimulateTask {
   bool is_quiet = false;
 };
 
-/// Makes the flight with a progress bar. Words go to `err`. @errors as simulate_flight; nothing is
-/// left behind then.
-[[nodiscard]] Result<SimulatedFlight> simulate(const SimulateTask& task, std::ostream& err);
+/// Makes the flight with a progress bar. Words go to `err`. @errors as simulate_flight, and kNotFound where neither path
+/// nor route are given and the map has none; nothing is left behind then.
+[[nodiscard]] Result<SimulatedFlight> simulate(const SimulateTask& task,
+                                               const std::stop_token& stop,
+                                               std::ostream& err);
 
 }  // namespace nadir::cli

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/staged_output.h"
+#include "core/geo/trajectory_file.h"
 #include "tests/app/program.h"
 #include "tests/core/run/recorded_run.h"
 #include "tests/support/scratch_folder.h"
@@ -135,10 +136,104 @@ TEST_F(EvaluateCommand, CannotAlignARunOfOneStep) {
   EXPECT_THAT(refused.err, HasSubstr("one.nadir"));
 }
 
+TEST_F(EvaluateCommand, WritesTheEstimatesOfARunAsTumText) {
+  const std::string recorded = run("R.nadir", 5);
+  const auto shown =
+      run_program({"evaluate", recorded, "--trajectory", path("estimate.txt"), "--align", "se2"});
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  EXPECT_THAT(shown.out, HasSubstr("position RMSE"));
+  const auto poses = read_trajectory(path("estimate.txt")).value().poses();
+  ASSERT_EQ(poses.size(), 5U);
+  for (int i = 0; i < 5; ++i) {
+    const auto& pose = poses[static_cast<std::size_t>(i)];
+    EXPECT_EQ(pose.time_s, example_step(i).time_s);
+    EXPECT_EQ(pose.pose.translation_m, Eigen::Vector3d(500.0 + i + 0.1, 200.0 - 1.0 / 3.0, 0.0))
+        << "as estimated, though the table is of aligned poses";
+    EXPECT_NEAR(planar(pose.pose).yaw_rad, 0.01, 1e-12);
+  }
+}
+
+TEST_F(EvaluateCommand, HeadsATrajectoryWithItsFrameAndWhereThatLies) {
+  ASSERT_EQ(run_program({"evaluate", run("R.nadir", 2), "--trajectory", path("t.txt")}).status, 0);
+  EXPECT_THAT(read_text_file(path("t.txt")).value(),
+              AllOf(testing::StartsWith("# estimated trajectory of flight loop, written by Nadir "),
+                    HasSubstr("# frame enu: x east and y north in metres"),
+                    HasSubstr("latitude 47.12345678901234"), HasSubstr("# times in seconds"),
+                    HasSubstr("# time_s x y z qx qy qz qw\n0 ")));
+}
+
+TEST_F(EvaluateCommand, WritesATrajectoryWholeOrNotAtAll) {
+  const std::string recorded = run("R.nadir", 3);
+  const auto refused =
+      run_program({"evaluate", recorded, "--trajectory", path("nowhere/t.txt"), "--json"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_THAT(refused.err, HasSubstr("--trajectory: " + path("nowhere/t.txt")));
+  EXPECT_EQ(scratch_.entries(), 1);
+}
+
+TEST_F(EvaluateCommand, SaysThatARunKnewNoTruth) {
+  auto writer = RunWriter::create(path("blind.nadir"), example_header()).value();
+  for (int i = 0; i < 3; ++i) {
+    RunStep step = example_step(i);
+    step.truth_in_enu.reset();
+    ASSERT_TRUE(writer.write(step).has_value());
+  }
+  ASSERT_TRUE(writer.finish().has_value());
+  const auto shown = run_program({"evaluate", path("blind.nadir"), "--json"});
+  EXPECT_EQ(runs_of(shown)[0]["steps"], 3);
+  EXPECT_TRUE(runs_of(shown)[0]["estimate"]["position_rmse_m"].is_null());
+  EXPECT_EQ(shown.err,
+            path("blind.nadir") + ": its flight knew no truth, so its errors are unknown\n");
+  const auto aligned = run_program({"evaluate", path("blind.nadir"), "--align", "se2"});
+  EXPECT_EQ(aligned.status, 1);
+  EXPECT_THAT(aligned.err, HasSubstr("blind.nadir: "));
+}
+
+TEST_F(EvaluateCommand, FailsWithARunWithoutSteps) {
+  const std::string empty = run("E.nadir", 0, false);
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{}, {"--json"}, {"--trajectory", path("t.txt")}}) {
+    std::vector<std::string> arguments = {"evaluate", empty};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto refused = run_program(arguments);
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_EQ(refused.out, "");
+    EXPECT_EQ(refused.err, "nadir: " + empty + ": holds no steps, so there is nothing to judge\n");
+  }
+}
+
+TEST_F(EvaluateCommand, FailsWithAFolder) {
+  const auto refused = run_program({"evaluate", scratch_.path().string()});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(refused.err, "nadir: " + scratch_.path().string() + ": is a folder, not a run file\n");
+}
+
+TEST_F(EvaluateCommand, DoesNotWriteOverWhatItReads) {
+  const std::string recorded = run("R.nadir");
+  for (const char* flag : {"--out", "--trajectory"}) {
+    const auto refused = run_program({"evaluate", recorded, flag, recorded});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err, HasSubstr(std::string(flag) + ": " + recorded + " is a run to read"));
+  }
+  const auto twice = run_program(
+      {"evaluate", recorded, "--out", path("both.txt"), "--trajectory", path("both.txt")});
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_EQ(scratch_.entries(), 1);
+}
+
+TEST_F(EvaluateCommand, WritesTheTrajectoryOfOneRunOnly) {
+  const auto refused = run_program(
+      {"evaluate", run("a.nadir"), run("b.nadir"), "--trajectory", path("estimate.txt")});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--trajectory: is for one run, and 2 are given"));
+}
+
 TEST_F(EvaluateCommand, ExitsWithTwoWhereItIsMisused) {
   const std::string recorded = run("R.nadir");
   EXPECT_EQ(run_program({"evaluate"}).status, 2);
-  EXPECT_EQ(run_program({"evaluate", recorded, "--align", "se3"}).status, 2);
+  EXPECT_EQ(run_program({"evaluate", recorded, "--align", "se3"}).status, 1)
+      << "a value, not a word";
   EXPECT_EQ(run_program({"evaluate", recorded, "--json", "--csv"}).status, 2);
   EXPECT_EQ(run_program({"evaluate", recorded, "--jsn"}).status, 2);
   EXPECT_EQ(run_program({"evaluate", "--help"}).status, 0);

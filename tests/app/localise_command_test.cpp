@@ -5,6 +5,7 @@
 
 #include "core/base/staged_output.h"
 #include "core/flight/flight_writer.h"
+#include "core/geo/trajectory_file.h"
 #include "core/map/overhead_map_file.h"
 #include "core/run/run_file.h"
 #include "tests/app/program.h"
@@ -49,10 +50,12 @@ class LocaliseCommand : public testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }
-  /// Exit status 1, one sentence that holds `fault`, and no file left under the name.
-  static void expect_refused(const std::vector<std::string>& arguments, const std::string& fault) {
+  /// Exit status 1 (or 2 where the command line is wrong), one sentence that holds `fault`, and no file left under the name.
+  static void expect_refused(const std::vector<std::string>& arguments,
+                             const std::string& fault,
+                             int status = 1) {
     const auto refused = run_program(arguments);
-    EXPECT_EQ(refused.status, 1) << fault;
+    EXPECT_EQ(refused.status, status) << fault;
     EXPECT_THAT(refused.err, HasSubstr(fault));
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
     EXPECT_EQ(refused.out, "");
@@ -141,22 +144,57 @@ TEST_F(LocaliseCommand, StartsWhereItIsToldOrAnywhere) {
   EXPECT_EQ(global.status, 0) << global.err;
 }
 
-TEST_F(LocaliseCommand, RefusesOptionsThatMakeNoSense) {
-  expect_refused(localise({"--particles", "0"}), "--particles: 0 is not in [1, 1000000]");
-  expect_refused(localise({"--particles", "1000000000"}), "--particles");
-  expect_refused(localise({"--temperature", "nan"}), "--temperature");
-  EXPECT_EQ(run_program(localise({"--frames", "-2"})).status, 2);
+TEST_F(LocaliseCommand, RefusesValuesThatMakeNoSense) {
+  expect_refused(localise({"--particles", "0"}), "--particles: 0 is not in [1, 1000000]", 1);
+  expect_refused(localise({"--particles", "1000000000"}), "--particles", 1);
+  expect_refused(localise({"--temperature", "nan"}), "--temperature", 1);
+  expect_refused(localise({"--frames", "-2"}), "--frames: '-2' is not a whole number from 1 on", 1);
+  expect_refused(localise({"--preset", "thesys"}), "did you mean thesis?", 1);
+  expect_refused(localise({"--prior", "1,nan,2"}), "--prior: '1,nan,2' is not 3 numbers", 1);
+  expect_refused(localise({"--prior", "8,28,0", "--prior-sigma", "1,-1"}),
+                 "--prior-sigma: '1,-1' holds a negative deviation", 1);
+  expect_refused(localise({"--out", path("refused.nadir"), "--trajectory", path("refused.nadir")}),
+                 "--trajectory: ", 1);
   EXPECT_EQ(run_program(localise({"--particles", "50", "--frames", "3"})).status, 0);
-  expect_refused(localise({"--preset", "thesys"}), "did you mean thesis?");
-  expect_refused(localise({"--prior", "1,nan,2"}), "--prior: '1,nan,2' is not 3 numbers");
+}
+
+TEST_F(LocaliseCommand, FailsWhereARecipeOrTheMapSaysNoToTheSame) {
+  scratch_->file("none.toml", "[options]\nparticles = 0\n");
+  scratch_->file("thesys.toml", "preset = \"thesys\"\n");
+  expect_refused(localise({"--recipe", path("none.toml")}), "none.toml: --particles: 0 is not in");
+  expect_refused(localise({"--recipe", path("thesys.toml")}), "thesys.toml: ");
   expect_refused(localise({"--prior", "-500,0,0", "--out", path("refused.nadir")}),
-                 "is off map 'crossing'");
-  EXPECT_EQ(run_program(localise({"--partikles", "5"})).status, 2);
-  EXPECT_EQ(run_program({"localise"}).status, 2);
+                 "--prior: -500.0 m east, 0.0 m north is off map 'crossing'");
+}
+
+TEST_F(LocaliseCommand, WritesTheEstimatesAsTumTextInMetresOfTheProjectPlane) {
+  const auto localised = run_program(
+      localise({"--out", path("T.nadir"), "--trajectory", path("estimate.txt"), "--frames", "12"}));
+  ASSERT_EQ(localised.status, 0) << localised.err;
+  const auto steps = RunReader::open(path("T.nadir")).value().steps().value();
+  const auto poses = read_trajectory(path("estimate.txt")).value().poses();
+  ASSERT_EQ(poses.size(), 12U);
+  ASSERT_EQ(steps.size(), 12U);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Rigid2& mean = steps[i].estimate.moments.mean;
+    EXPECT_EQ(poses[i].time_s, steps[i].time_s);
+    EXPECT_EQ(poses[i].pose.translation_m, Eigen::Vector3d(mean.x_m, mean.y_m, 0.0));
+    EXPECT_NEAR(planar(poses[i].pose).yaw_rad, mean.yaw_rad, 1e-12);
+  }
+  ASSERT_EQ(
+      run_program({"evaluate", path("T.nadir"), "--trajectory", path("evaluated.txt")}).status, 0);
+  EXPECT_EQ(read_text_file(path("evaluated.txt")).value(),
+            read_text_file(path("estimate.txt")).value());
+}
+
+TEST_F(LocaliseCommand, FindsOutBeforeItBeginsThatATrajectoryCannotBeWritten) {
+  expect_refused(
+      localise({"--out", path("refused.nadir"), "--trajectory", path("nowhere/estimate.txt")}),
+      "--trajectory: " + path("nowhere/estimate.txt"));
 }
 
 TEST_F(LocaliseCommand, RefusesAMissingMapOrFlightByName) {
-  expect_refused({"localise", path("flight"), "--map", path("no-map")}, "no-map");
+  expect_refused({"localise", path("flight"), "--map", path("no-map")}, "--map: " + path("no-map"));
   expect_refused({"localise", path("no-flight"), "--map", path("map")}, "no-flight");
 }
 

@@ -73,14 +73,21 @@ TEST_F(MapCommand, InfoTellsAboutAPlace) {
   EXPECT_THAT(out(), HasSubstr("outside the map"));
 }
 
-TEST_F(MapCommand, IsMisusedByOptionsThatAreWrong) {
+TEST_F(MapCommand, RefusesOptionsThatAreWrong) {
   EXPECT_EQ(run({}), kMisused);
   EXPECT_EQ(run({"info"}), kMisused);
-  EXPECT_EQ(run({"info", town(), "--at", "north"}), kMisused);
+  EXPECT_EQ(run({"info", town(), "--at", "north"}), kFailed);
   EXPECT_THAT(err(), HasSubstr("--at: 'north' is not 2 numbers"));
-  EXPECT_EQ(run({"info", town(), "--at", "95,0"}), kMisused);
-  EXPECT_EQ(run({"import", town(), "--out", "x", "--anchor-at", "top"}), kMisused);
-  EXPECT_EQ(run({"import", town(), "--out", "x", "--inside", "3"}), kMisused);
+  EXPECT_EQ(run({"info", town(), "--at", "95,0"}), kFailed);
+  EXPECT_THAT(err(), HasSubstr("nadir map info: --at: '95,0' is not a latitude from -89 to 89"));
+  EXPECT_EQ(run({"info", "no/such/map", "--at", "95,0"}), kFailed) << "before any file is read";
+  EXPECT_EQ(run({"import", town(), "--out", "x", "--anchor", "33,-190"}), kFailed);
+  EXPECT_THAT(err(), HasSubstr("nadir map import: --anchor: '33,-190' is not a latitude"));
+  EXPECT_EQ(run({"import", town(), "--out", "x", "--resolution", "fine"}), kFailed);
+  EXPECT_THAT(err(), HasSubstr("--resolution: 'fine' is not a number;"));
+  EXPECT_EQ(run({"import", town(), "--out", "x", "--resolution=-1"}), kFailed);
+  EXPECT_EQ(run({"import", town(), "--out", "x", "--anchor-at", "top"}), kFailed);
+  EXPECT_EQ(run({"import", town(), "--out", "x", "--inside", "3"}), kFailed);
   EXPECT_THAT(out(), IsEmpty());
 }
 
