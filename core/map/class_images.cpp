@@ -208,6 +208,7 @@ Result<SourceLabels> read_class_images(const fs::path& folder, const ImportOptio
   if (!paths) return forward_error(paths);
   std::vector<std::string> notices;
   std::vector<ClassImage> images;
+  std::string numbered;  // What was taken for what, by its number alone.
   for (const fs::path& path : *paths) {
     const std::optional<ClassId> id = class_of(path, options.remap);
     if (!id || *id == kUnclassified) {
@@ -215,7 +216,14 @@ Result<SourceLabels> read_class_images(const fs::path& folder, const ImportOptio
           fmt::format("{} stands for no class and is left out", path.filename().string()));
     } else {
       images.push_back({path, *id});
+      if (!options.remap && number_in(plain_class_name(path.stem().string()))) {
+        numbered += fmt::format("{}{} as {}", numbered.empty() ? "" : ", ",
+                                path.filename().string(), class_info(*id).name);
+      }
     }
+  }
+  if (!numbered.empty()) {
+    notices.push_back("without --remap numbers were taken as this program's classes: " + numbered);
   }
   if (images.empty()) {
     return fail(ErrorCode::kMalformed,
@@ -235,41 +243,6 @@ Result<SourceLabels> read_class_images(const fs::path& folder, const ImportOptio
     }
   }
   return painter.take(std::move(notices));
-}
-
-Result<SourceLabels> read_label_image(const fs::path& path, const ImportOptions& options) {
-  if (options.inside_value) {
-    return fail(ErrorCode::kInvalidOptions, "--inside: {} is no folder of class images",
-                path.string());
-  }
-  const GdalMessages messages;
-  const std::string name = path.string();
-  const auto dataset = open_raster(path, messages);
-  if (!dataset) return forward_error(dataset);
-  SourceLabels source;
-  auto placement = placement_of(**dataset, options.crs, name, messages);
-  if (!placement) return forward_error(placement);
-  source.placement = std::move(*placement);
-  auto ids = read_ids(**dataset, name, messages);
-  if (!ids) return forward_error(ids);
-  if (options.remap) {
-    // GDAL knows the names of a GeoTIFF only once its place was asked for, as it was above.
-    std::vector<std::string> names;
-    for (char** entry = (*dataset)->GetRasterBand(1)->GetCategoryNames();
-         entry != nullptr && *entry != nullptr; ++entry) {
-      names.emplace_back(*entry);
-    }
-    source.labels = options.remap->with_names(names).apply(std::move(*ids));
-    return source;
-  }
-  for (const ClassId id : ids->values()) {
-    if (id < kClassCount || id == kUnclassified) continue;
-    return fail(ErrorCode::kMalformed,
-                "{}: id {} is no class; name the source's classes with --remap", name,
-                static_cast<int>(id));
-  }
-  source.labels = std::move(*ids);
-  return source;
 }
 
 }  // namespace nadir

@@ -21,7 +21,7 @@ struct SourceLabels {
   std::vector<std::string> notices;
 };
 
-/// One raster of class ids. @errors those of import_map.
+/// One raster of class ids (label_image.cpp). @errors those of import_map.
 [[nodiscard]] Result<SourceLabels> read_label_image(const std::filesystem::path& path,
                                                     const ImportOptions& options);
 

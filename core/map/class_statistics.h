@@ -33,7 +33,7 @@ struct ClassStatistics {
 enum class ImportanceReading {
   kInverseShare,      ///< 1 / share: the text, and what preset `thesis` uses.
   kShare,             ///< share: equation 3.6 to the letter.
-  kInverseRootShare,  ///< 1 / sqrt(share): between the text and uniform.
+  kInverseRootShare,  ///< 1 / sqrt(share): between the text and uniform; preset `default`.
   kUniform,           ///< The same for every class that the map holds.
 };
 
