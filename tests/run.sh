@@ -22,7 +22,7 @@ check() {  # check PRESET: build and test
 }
 
 step 'format'
-find core app maps tests -name '*.h' -print0 -o -name '*.cpp' -print0 | xargs -0 clang-format-14 --dry-run -Werror
+find core widgets app maps tests -name '*.h' -print0 -o -name '*.cpp' -print0 | xargs -0 clang-format-14 --dry-run -Werror
 step 'dev build and tests'
 check dev
 if [ "${1:-}" = --all ]; then

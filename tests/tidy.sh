@@ -24,5 +24,5 @@ check() {  # check FILE CLEAN
   touch "$key"
 }
 export -f check
-if [ $# -gt 0 ]; then printf '%s\0' "$@"; else find core app maps -name '*.cpp' -print0; fi |
+if [ $# -gt 0 ]; then printf '%s\0' "$@"; else find core widgets app maps -name '*.cpp' -print0; fi |
   xargs -0 -P 2 -I{} bash -c 'check "$1" "$2"' _ {} "$clean" | { checked=$(wc -l); echo "clang-tidy: $checked files checked and clean"; }

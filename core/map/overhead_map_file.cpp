@@ -140,6 +140,12 @@ Result<MapProvenance> read_map_provenance(const fs::path& package) {
   return provenance;
 }
 
+Result<ProjectPlane> read_map_plane(const fs::path& package) {
+  const auto settings = read_settings(package);
+  if (!settings) return forward_error(settings);
+  return read_plane(*settings);
+}
+
 Result<OverheadMap> read_overhead_map(const fs::path& package) {
   const auto settings = read_settings(package);
   if (!settings) return forward_error(settings);

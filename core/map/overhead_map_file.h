@@ -27,6 +27,8 @@ using ColourRaster = Raster<Colour>;
 /// square cells), kUnsupported.
 [[nodiscard]] Result<OverheadMap> read_overhead_map(const std::filesystem::path& package);
 [[nodiscard]] Result<MapProvenance> read_map_provenance(const std::filesystem::path& package);
+/// The plane that the package lies on. @errors as read_overhead_map.
+[[nodiscard]] Result<ProjectPlane> read_map_plane(const std::filesystem::path& package);
 /// The overhead picture (image.tif), or nothing where the package has none; it has the labels' size
 /// and place.
 [[nodiscard]] Result<std::optional<ColourRaster>> read_overhead_image(

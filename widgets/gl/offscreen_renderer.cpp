@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/gl/offscreen_renderer.h"
+
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cstring>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/require.h"
+
+namespace nadir {
+
+Result<std::unique_ptr<OffscreenRenderer>> OffscreenRenderer::create() {
+  auto context = OffscreenContext::create();
+  if (!context) return forward_error(context);
+  return std::unique_ptr<OffscreenRenderer>(new OffscreenRenderer(std::move(*context)));
+}
+
+OffscreenRenderer::OffscreenRenderer(std::unique_ptr<OffscreenContext> context)
+    : context_(std::move(context)) {
+  window_->SetAlphaBitPlanes(1);
+}
+
+OffscreenRenderer::~OffscreenRenderer() {
+  context_->make_current();
+  if (attached_ != nullptr) window_->RemoveRenderer(attached_);
+  window_->Finalize();
+}
+
+Result<Raster<Rgba>> OffscreenRenderer::render(vtkRenderer& scene,
+                                               int width,
+                                               int height,
+                                               int supersampling) {
+  NADIR_REQUIRE(width > 0 && height > 0 && supersampling > 0);
+  // Of every OpenGL 3.3 driver that is in use.
+  constexpr int kMaxSide = 16'384;
+  if (width * supersampling > kMaxSide || height * supersampling > kMaxSide) {
+    return fail(ErrorCode::kUnsupported, "{} x {} pixels are more than OpenGL can draw at once",
+                width * supersampling, height * supersampling);
+  }
+  context_->make_current();
+  if (attached_ != &scene) {
+    if (attached_ != nullptr) window_->RemoveRenderer(attached_);
+    window_->AddRenderer(&scene);
+    attached_ = &scene;
+  }
+  window_->SetSize(width * supersampling, height * supersampling);
+  window_->Render();
+  vtkNew<vtkUnsignedCharArray> read;
+  window_->GetRGBACharPixelData(0, 0, width * supersampling - 1, height * supersampling - 1, 0,
+                                read);
+  const cv::Mat drawn(height * supersampling, width * supersampling, CV_8UC4, read->GetPointer(0));
+  Raster<Rgba> pixels(width, height);
+  cv::Mat out(height, width, CV_8UC4, pixels.data());
+  cv::Mat small;
+  if (supersampling > 1) {
+    cv::resize(drawn, small, out.size(), 0.0, 0.0, cv::INTER_AREA);
+  } else {
+    small = drawn;
+  }
+  cv::flip(small, out, 0);  // OpenGL's rows begin at the bottom
+  return pixels;
+}
+
+}  // namespace nadir
