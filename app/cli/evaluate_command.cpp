@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -51,15 +50,14 @@ Result<void> check_outputs(const EvaluateArguments& values) {
     return fail(ErrorCode::kInvalidOptions, "--trajectory: is for one run, and {} are given",
                 values.runs.size());
   }
-  if (!values.trajectory.empty() && values.trajectory == values.out_file) {
+  if (names_same_file(values.trajectory, values.out_file)) {
     return fail(ErrorCode::kInvalidOptions, "--trajectory: {} is the file of --out",
                 values.trajectory);
   }
   for (const std::string& run : values.runs) {
     for (const auto& [flag, file] : {std::pair<std::string, std::string>("--out", values.out_file),
                                      {"--trajectory", values.trajectory}}) {
-      std::error_code error;
-      if (!file.empty() && std::filesystem::equivalent(run, file, error)) {
+      if (names_same_file(run, file)) {
         return fail(ErrorCode::kInvalidOptions, "{}: {} is a run to read", flag, run);
       }
     }

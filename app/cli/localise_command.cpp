@@ -7,6 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/localise_flow.h"
+#include "app/cli/trajectory_output.h"
 #include "core/base/angle.h"
 #include "core/base/parallel.h"
 #include "core/eval/report.h"
@@ -103,6 +104,17 @@ Result<std::optional<Prior>> prior_of(const LocaliseArguments& values) {
   return std::optional<Prior>(prior);
 }
 
+/// The trajectory must not take the place of another file of this command line. @errors kInvalidOptions.
+Result<void> check_outputs(const LocaliseArguments& values) {
+  for (const auto& [file, what] : {std::pair(values.run, "the run file of --out"),
+                                   std::pair(values.recipe, "the recipe to read")}) {
+    if (names_same_file(values.trajectory, file)) {
+      return fail(ErrorCode::kInvalidOptions, "--trajectory: {} is {}", values.trajectory, what);
+    }
+  }
+  return {};
+}
+
 /// @errors kInvalidOptions where the command line is at fault, other codes where a recipe is.
 Result<LocaliseTask> task_of(const LocaliseArguments& values) {
   LocaliseTask task;
@@ -110,10 +122,6 @@ Result<LocaliseTask> task_of(const LocaliseArguments& values) {
   task.map = values.map;
   if (!values.run.empty()) task.run = values.run;
   if (!values.trajectory.empty()) task.trajectory = values.trajectory;
-  if (task.run && task.run == task.trajectory) {
-    return fail(ErrorCode::kInvalidOptions, "--trajectory: {} is the run file of --out",
-                values.trajectory);
-  }
   task.is_quiet = values.is_quiet;
   if (values.recipe.empty()) {
     const auto options = run_preset(values.preset);
@@ -149,6 +157,9 @@ int run_localise(std::span<const std::string> arguments, std::ostream& out, std:
   LocaliseArguments values;
   add_arguments(app, values);
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
+  if (const auto checked = check_outputs(values); !checked) {
+    return report_misuse(err, kName, checked.error().message);
+  }
   const auto task = task_of(values);
   if (!task) return report_flags_error(err, kName, task.error());
 

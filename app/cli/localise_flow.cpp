@@ -2,10 +2,8 @@
 #include "app/cli/localise_flow.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <system_error>
 
 #include "app/cli/arguments.h"
 #include "app/cli/console.h"
@@ -60,46 +58,68 @@ Error named_after_flag(Error error) {
   return error;
 }
 
-/// Steps of a run as they come: into the file, where there is one, and always into the evaluation. An earlier run of the
-/// same name steps aside and comes back when the new one fails.
+/// A trajectory must not take the place of what is read. @errors kIo.
+Result<void> check_not_read(const fs::path& trajectory,
+                            const FlightDescription& flight,
+                            const fs::path& map) {
+  const auto check = [&trajectory](const fs::path& input, const char* what) -> Result<void> {
+    if (!names_same_file(trajectory, input)) return {};
+    return fail(ErrorCode::kIo, "--trajectory: {} is {}", trajectory.string(), what);
+  };
+  auto checked =
+      check(flight.truth_source, "the truth of the flight")
+          .and_then([&] { return check(flight.odometry_source, "the odometry of the flight"); })
+          .and_then([&] { return check(flight.path, "the flight itself"); })
+          .and_then([&] { return check(flight.path / "flight.toml", "a file of the flight"); })
+          .and_then([&] { return check(map / "map.toml", "a file of the map"); });
+  for (const fs::path& odometry : flight.other_odometry) {
+    if (checked) checked = check(odometry, "an odometry of the flight");
+  }
+  return checked;
+}
+
+/// Steps of a run as they come: into the file, where there is one, and always into the evaluation.
 class Recorder {
  public:
   Recorder(const LocaliseTask& task, RunHeader header) : task_(task), header_(std::move(header)) {}
 
   Result<void> record(const RunStep& step) {
     if (task_.run && !writer_) {  // not before there is something to write
-      if (auto started = start(); !started) return started;
+      auto created = RunWriter::create(*task_.run, header_);
+      if (!created) return forward_error(created);
+      writer_.emplace(std::move(*created));
     }
     steps_.push_back(evaluated_step(step));
     last_.estimate = step.estimate;
     return writer_ ? writer_->write(step) : Result<void>();
   }
 
+  /// The run before goes last, when nothing can fail any more.
   Result<RunEvaluation> finish() {
-    if (writer_) {
-      if (const auto finished = writer_->finish(); !finished) return forward_error(finished);
-    }
-    keep();
     auto evaluation = evaluate_steps(steps_);
     if (!evaluation) return evaluation;
     describe(*evaluation, header_, task_.run ? task_.run->string() : "(not kept)");
+    if (writer_) {
+      if (const auto finished = writer_->finish(); !finished) return forward_error(finished);
+    }
     return evaluation;
   }
 
-  /// The new file stays; the earlier one goes.
-  void keep() {
-    std::error_code ignored;
-    if (!earlier_.empty()) fs::remove(earlier_, ignored);
+  /// Keeps the steps so far. @returns what was done and where they are, for people.
+  std::string stop() {
+    std::string text = fmt::format("stopped after {} steps", steps_.size());
+    if (!writer_) return text;
+    text += "; they are in " + task_.run->string();
+    const fs::path earlier = writer_->stop();
+    writer_.reset();
+    if (!earlier.empty()) text += ", and the run that was there before is in " + earlier.string();
+    return text;
   }
 
-  /// The new file goes; the earlier one comes back.
+  /// The new file goes; the run before comes back.
   void discard() {
-    std::error_code ignored;
-    const bool has_file = writer_.has_value();
+    if (writer_) writer_->discard();
     writer_.reset();
-    if (has_file) fs::remove(*task_.run, ignored);
-    if (has_file) fs::remove(task_.run->string() + "-journal", ignored);
-    if (!earlier_.empty()) fs::rename(earlier_, *task_.run, ignored);
   }
 
   [[nodiscard]] std::size_t step_count() const { return steps_.size(); }
@@ -107,28 +127,8 @@ class Recorder {
   [[nodiscard]] const RunStep& last() const { return last_; }
 
  private:
-  Result<void> start() {
-    std::error_code error;
-    if (fs::exists(*task_.run, error)) {
-      const auto earlier = RunReader::open(*task_.run);
-      if (!earlier) return forward_error(earlier, "will not be overwritten");
-      earlier_ = *task_.run;
-      earlier_ += ".earlier-" + std::to_string(::getpid());
-      fs::rename(*task_.run, earlier_, error);
-      if (error) {
-        earlier_.clear();
-        return fail(ErrorCode::kIo, "{}: {}", task_.run->string(), error.message());
-      }
-    }
-    auto created = RunWriter::create(*task_.run, header_);
-    if (!created) return forward_error(created);
-    writer_.emplace(std::move(*created));
-    return {};
-  }
-
   const LocaliseTask& task_;
   RunHeader header_;
-  fs::path earlier_;  ///< Where the earlier run waits; empty where there is none.
   std::optional<RunWriter> writer_;
   std::vector<EvaluatedStep> steps_;
   RunStep last_;
@@ -144,6 +144,9 @@ Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task,
       return forward_error(free);
     }
   }
+  if (task.run) {
+    if (const auto free = RunWriter::check_output(*task.run); !free) return forward_error(free);
+  }
   const std::filesystem::path map_path = find_bundled(task.map);
   auto map = read_overhead_map(map_path);
   if (!map) return forward_error(map, "--map");
@@ -152,6 +155,10 @@ Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task,
   }
   const auto flight = open_flight(task.flight);
   if (!flight) return forward_error(flight);
+  if (task.trajectory) {
+    const auto free = check_not_read(*task.trajectory, (*flight)->description(), map_path);
+    if (!free) return forward_error(free);
+  }
   const auto index =
       std::make_shared<const MapIndex>(std::make_shared<const OverheadMap>(std::move(*map)));
 
@@ -169,9 +176,7 @@ Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task,
         [&recorder](const RunStep& step) { return recorder.record(step); }, context);
   }
   if (!summary && summary.error().code == ErrorCode::kCancelled && recorder.step_count() > 0) {
-    recorder.keep();
-    return fail(ErrorCode::kCancelled, "stopped after {} steps{}", recorder.step_count(),
-                task.run ? "; they are in " + task.run->string() : std::string());
+    return fail(ErrorCode::kCancelled, "{}", recorder.stop());
   }
   if (!summary) {
     recorder.discard();

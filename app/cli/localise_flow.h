@@ -29,9 +29,12 @@ struct LocaliseResult {
       ending;  ///< Where the vehicle is at the end and how sure that is, in one line for people.
 };
 
-/// Localises with a progress bar and judges the result. Words go to `err`. `stop` stops it cleanly: the run file then holds
-/// the steps so far, and no trajectory is written. @errors as localise_flight: then no new run file is left, and an earlier
-/// one of that name is as it was. A trajectory that cannot be written (kIo) leaves the run file whole.
+/// Localises with a progress bar and judges the result. Words go to `err`. `stop` stops it cleanly (kCancelled): the run
+/// file then holds the steps so far, an earlier one of that name that was complete or longer lies beside it, where the
+/// message says, and no trajectory is written.
+/// @errors as localise_flight: then no new run file is left, and an earlier one of that name is as it was. kIo or
+/// kUnsupported where run file or trajectory cannot be written or would take the place of something else, before any work.
+/// A trajectory that cannot be written at the end (kIo) leaves the run file whole.
 [[nodiscard]] Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task,
                                                            const std::stop_token& stop,
                                                            std::ostream& err);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
 #include <vector>
 
 #include "core/base/staged_output.h"
@@ -24,6 +25,20 @@ std::string head_of(const std::string& flight, const Geodetic& plane_origin) {
 }
 
 }  // namespace
+
+bool names_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  namespace fs = std::filesystem;
+  if (a.empty() || b.empty()) return false;
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  const auto in_full = [&error](const fs::path& path) {
+    // Made absolute first: a name whose first part is not there yet would be left relative.
+    const fs::path absolute = fs::absolute(path, error);
+    const fs::path full = fs::weakly_canonical(absolute, error);
+    return error ? absolute.lexically_normal() : full;
+  };
+  return in_full(a) == in_full(b);
+}
 
 Result<void> check_trajectory_file(const std::filesystem::path& file) {
   const auto staged = StagedOutput::file(file);

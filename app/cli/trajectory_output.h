@@ -11,6 +11,10 @@
 
 namespace nadir::cli {
 
+/// Whether two names mean one file: also where they are spelt differently ("run.nadir" and "./run.nadir", by way of a link),
+/// and where the file is still to be written. An empty name means none.
+[[nodiscard]] bool names_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// Whether a trajectory can be written there: asked before long work begins. @errors kIo, naming --trajectory.
 [[nodiscard]] Result<void> check_trajectory_file(const std::filesystem::path& file);
 

@@ -17,6 +17,7 @@ using Bytes = std::vector<std::uint8_t>;
 /// Particles as zstd of four little-endian float32 arrays: x and y relative to the estimate (m),
 /// yaw (rad), weight. Positions come back to 0.6 mm within 8 km of the estimate, yaw to 2e-7 rad,
 /// weights to 1 part in 10^7; below 1e-38 of the heaviest a weight may become 0.
+/// @errors kMalformed, without a file name: what decode_particles would refuse.
 [[nodiscard]] Result<Bytes> encode_particles(const ParticleSet& particles,
                                              const Rigid2& estimate_in_enu);
 
@@ -27,7 +28,7 @@ using Bytes = std::vector<std::uint8_t>;
                                                    const Rigid2& estimate_in_enu);
 
 /// A topview as zstd of three arrays: forward and left as little-endian int16, class as uint8.
-/// Lossless.
+/// Lossless. @errors kMalformed, without a file name: what decode_topview would refuse.
 [[nodiscard]] Result<Bytes> encode_topview(const SemanticTopview& topview);
 
 /// @errors kMalformed, without a file name: as above, or the classes do not rise.

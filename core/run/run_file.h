@@ -54,18 +54,33 @@ struct RunStep {
 /// Writes a run as it happens: each step is one transaction of SQLite in WAL-free journal mode, so
 /// that a run that is killed is readable up to its last step. The format and its tables are
 /// described in core/run/README.md.
+///
+/// A run of the same name waits beside it as `NAME.earlier-PID` until finish(), stop() or discard()
+/// says what becomes of the two. A writer that is destroyed before, or killed, leaves both.
 class RunWriter {
  public:
-  /// @errors kIo: not writable, or being written by another run. An existing *run file* is
-  /// replaced, anything else is refused.
+  /// Whether create() would take this name: asked before long work begins. @errors as create().
+  [[nodiscard]] static Result<void> check_output(const std::filesystem::path& path);
+  /// @errors kIo: not writable, being written by another run, or there is a file of this name that is
+  /// no run; kUnsupported: a run that a newer version wrote; kMalformed: an origin that is no place on
+  /// Earth. What was there is then as it was.
   [[nodiscard]] static Result<RunWriter> create(const std::filesystem::path& path,
                                                 const RunHeader& header);
   RunWriter(RunWriter&&) noexcept;
   ~RunWriter();
+  /// Steps and times must rise. @errors kMalformed: names a value that RunReader would refuse; the
+  /// writer can be used on. kIo.
   [[nodiscard]] Result<void> write(const RunStep& step);
-  /// Marks the run as complete. A run without this mark was killed or stopped. Where there was a run
-  /// of this name before, it takes away what killed programs have put aside as `NAME.earlier-PID`.
+  /// Marks the run as complete. A run without this mark was killed or stopped. Takes the run before
+  /// away, and what killed programs have put aside from this name; where there was none before, those
+  /// stay, for one may be all that is left of somebody's work. @errors kIo: all is as it was.
   [[nodiscard]] Result<void> finish();
+  /// Ends a run that was stopped before its end: its steps stay, without the mark. The run before stays
+  /// too where it is complete or holds more steps, until a run of this name is complete; else it goes.
+  /// @returns where the run before is; empty where there is none.
+  [[nodiscard]] std::filesystem::path stop();
+  /// Takes this run away and gives the run before its name back.
+  void discard();
 
  private:
   struct Implementation;

@@ -12,10 +12,12 @@ namespace nadir::detail {
 /// database, where neither they nor SQLite look.
 class RunLock {
  public:
-  /// Makes an empty file and locks it. @errors kIo: the file exists already, or cannot be made.
+  /// Makes an empty file and locks it. @errors kIo: there is a file of this name, so another run has
+  /// just begun; or it cannot be made.
   [[nodiscard]] static Result<RunLock> make(const std::filesystem::path& path);
   /// Locks a file that may be there; one that is missing or may not be written needs no lock.
-  /// @errors kIo: "R.nadir: is being written by another run".
+  /// @errors kIo: "R.nadir: is being written by another run", also where the name has gone to another
+  /// file meanwhile.
   [[nodiscard]] static Result<RunLock> hold(const std::filesystem::path& path);
 
   RunLock(RunLock&& other) noexcept;

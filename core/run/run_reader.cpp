@@ -7,6 +7,7 @@
 #include "core/run/run_blobs.h"
 #include "core/run/run_connection.h"
 #include "core/run/run_file.h"
+#include "core/run/run_limits.h"
 #include "core/run/run_row.h"
 #include "core/run/run_schema.h"
 
@@ -31,14 +32,16 @@ Result<RunStep> step_from(const SqliteStatement& row, const std::string& name) {
   step.odometry_in_enu = values.pose_if_known(5);
   step.truth_in_enu = values.pose_if_known(8);
   step.estimate.moments = values.moments(11);
-  step.effective_sample_size = values.amount_if_known(20);
+  step.effective_sample_size = values.number(20);
   step.particle_count = values.count(21);
   step.was_resampled = values.count(22) != 0;
-  const double agreement = values.share(23, true);
+  const double agreement = values.number(23);
   if (!std::isnan(agreement)) step.agreement = agreement;
   step.topview_cells = values.count(24);
-  step.update_ms = values.amount_if_known(25);
-  if (const auto checked = values.checked(); !checked) return forward_error(checked);
+  step.update_ms = values.number(25);
+  if (const auto checked = values.checked(detail::fault_of(step)); !checked) {
+    return forward_error(checked);
+  }
   return step;
 }
 
@@ -75,15 +78,16 @@ Result<RunHeader> header_from(std::map<std::string, std::string> about, const st
   header.flight_hash = about["flight_hash"];
   header.map_hash = about["map_hash"];
   constexpr std::uint64_t kLargestSeed = std::numeric_limits<std::uint64_t>::max();
-  const auto taken = take_number<std::uint64_t>(about, "seed", name, 0, kLargestSeed, header.seed)
-                         .and_then([&] {
-                           return take_number(about, "plane_latitude_deg", name, -90.0, 90.0,
-                                              header.plane_latitude_deg);
-                         })
-                         .and_then([&] {
-                           return take_number(about, "plane_longitude_deg", name, -180.0, 180.0,
-                                              header.plane_longitude_deg);
-                         });
+  const auto taken =
+      take_number<std::uint64_t>(about, "seed", name, 0, kLargestSeed, header.seed)
+          .and_then([&] {
+            return take_number(about, "plane_latitude_deg", name, -detail::kLargestLatitudeDeg,
+                               detail::kLargestLatitudeDeg, header.plane_latitude_deg);
+          })
+          .and_then([&] {
+            return take_number(about, "plane_longitude_deg", name, -detail::kLargestLongitudeDeg,
+                               detail::kLargestLongitudeDeg, header.plane_longitude_deg);
+          });
   if (!taken) return forward_error(taken);
   for (const auto& [key, value] : about) {
     if (key.starts_with("option.")) header.options[key.substr(7)] = value;
@@ -149,8 +153,10 @@ Result<void> add_modes(std::span<RunStep> steps, SqliteStatement& rows, const st
       return fail(ErrorCode::kMalformed, "{}: belongs to no step or comes twice", where);
     }
     RunRow values(rows, where);
-    const PoseMode mode{.mass = values.share(2, false), .moments = values.moments(3)};
-    if (const auto checked = values.checked(); !checked) return forward_error(checked);
+    const PoseMode mode{.mass = values.number(2), .moments = values.moments(3)};
+    if (const auto checked = values.checked(detail::fault_of(mode)); !checked) {
+      return forward_error(checked);
+    }
     last = key;
     step->estimate.modes.push_back(mode);
   }

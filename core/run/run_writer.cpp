@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <unistd.h>
-
-#include <array>
 #include <cmath>
-#include <fstream>
-#include <system_error>
 #include <utility>
 
-#include "core/base/bystanders.h"
 #include "core/base/require.h"
-#include "core/eval/evaluated_step.h"
+#include "core/run/earlier_run.h"
 #include "core/run/run_blobs.h"
+#include "core/run/run_database.h"
 #include "core/run/run_file.h"
+#include "core/run/run_limits.h"
 #include "core/run/run_lock.h"
 #include "core/run/run_schema.h"
 #include "core/run/sqlite_database.h"
 
 namespace nadir {
 namespace fs = std::filesystem;
+using detail::EarlierRun;
 using detail::RunLock;
 using detail::SqliteAccess;
 using detail::SqliteDatabase;
@@ -25,98 +22,6 @@ using detail::SqliteStatement;
 using detail::SqliteTransaction;
 
 namespace {
-
-/// Empty files count as run files: a writer killed before its first transaction leaves one.
-bool is_run_file(const fs::path& path) {
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) return false;
-  if (fs::file_size(path, error) == 0) return true;
-  std::array<char, 72> head{};  // Read without SQLite, so that a damaged run can be replaced too.
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream.read(head.data(), head.size())) return false;
-  std::uint32_t id = 0;
-  for (std::size_t i = 68; i < 72; ++i) id = id << 8U | static_cast<std::uint8_t>(head.at(i));
-  return std::string_view(head.data(), 15) == "SQLite format 3" && id == detail::kRunApplicationId;
-}
-
-/// Runs that a program put aside as `NAME.earlier-PID` when it began a new one, and that nobody
-/// brought back since it was killed. Where NAME is there, they were outlived by another run already.
-/// Where it is not, one of them may be all that is left of somebody's work, so none is outdated.
-std::vector<fs::path> outdated_runs(const fs::path& path) {
-  constexpr std::string_view kEarlier = ".earlier-";
-  std::error_code error;
-  const bool was_there = fs::exists(path, error) || fs::exists(bystander_of(path, kEarlier), error);
-  return was_there ? abandoned_bystanders(path, kEarlier) : std::vector<fs::path>();
-}
-
-Result<void> make_room(const fs::path& path) {
-  const std::string name = path.string();
-  if (path.empty()) return fail(ErrorCode::kInvalidOptions, "run file: its name is empty");
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  std::error_code error;
-  if (!fs::is_directory(folder, error)) {
-    return fail(ErrorCode::kIo, "{}: folder {} does not exist", name, folder.string());
-  }
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-    return fail(ErrorCode::kIo, "{}: folder {} is not writable", name, folder.string());
-  }
-  if (fs::is_directory(path, error))
-    return fail(ErrorCode::kIo, "{}: is a folder, not a file", name);
-  if (fs::exists(path, error) && !is_run_file(path)) {
-    return fail(ErrorCode::kIo, "{}: exists and is not a run file, so it is left alone", name);
-  }
-  const auto old_run = RunLock::hold(path);
-  if (!old_run) return forward_error(old_run);
-  // The journal first: one that outlives its run would be rolled back into the new file.
-  fs::remove(name + "-journal", error);
-  if (!error) fs::remove(path, error);
-  if (error) return fail(ErrorCode::kIo, "{}: {}", name, error.message());
-  return {};
-}
-
-Result<void> write_about(const SqliteDatabase& database, const RunHeader& header) {
-  std::map<std::string, std::string> about = {
-      {"program_version", header.program_version},
-      {"flight", header.flight},
-      {"map", header.map},
-      {"preset", header.preset},
-      {"flight_path", header.flight_path},
-      {"map_path", header.map_path},
-      {"flight_hash", header.flight_hash},
-      {"map_hash", header.map_hash},
-      {"seed", std::to_string(header.seed)},
-      {"plane_latitude_deg", fmt::format("{}", header.plane_latitude_deg)},
-      {"plane_longitude_deg", fmt::format("{}", header.plane_longitude_deg)},
-      {"is_complete", "0"}};
-  for (const auto& [option, value] : header.options) about["option." + option] = value;
-  auto insert = database.prepare("INSERT INTO about VALUES (?, ?)");
-  if (!insert) return forward_error(insert);
-  for (const auto& [key, value] : about) {
-    const auto done = insert->add(std::string_view(key)).add(std::string_view(value)).next();
-    if (!done) return forward_error(done);
-  }
-  return {};
-}
-
-/// Synchronous OFF: what a killed program has handed to the kernel survives, which is all that a
-/// kill asks for; only a power failure could damage the last steps, and finish() waits for the
-/// disk.
-Result<SqliteDatabase> create_database(const fs::path& path, const RunHeader& header) {
-  auto database = SqliteDatabase::open(path, path.string(), SqliteAccess::kCreate);
-  if (!database) return database;
-  for (const char* pragma : {"PRAGMA journal_mode = DELETE", "PRAGMA synchronous = OFF"}) {
-    if (const auto set = database->execute(pragma); !set) return forward_error(set);
-  }
-  auto transaction = SqliteTransaction::begin(*database, "BEGIN IMMEDIATE");
-  if (!transaction) return forward_error(transaction);
-  const auto made = database->execute(
-      fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}; {}",
-                  detail::kRunApplicationId, detail::kRunFormatVersion, detail::kRunSchema));
-  if (!made) return forward_error(made);
-  if (const auto written = write_about(*database, header); !written) return forward_error(written);
-  if (const auto committed = transaction->commit(); !committed) return forward_error(committed);
-  return database;
-}
 
 std::string insert_into(std::string_view table, std::string_view columns) {
   std::string marks = "?";
@@ -140,18 +45,22 @@ void add_moments(SqliteStatement& statement, const PoseMoments& moments) {
 }  // namespace
 
 struct RunWriter::Implementation {
-  std::string name;
+  fs::path path;
+  std::string name;  ///< The path in messages.
+  EarlierRun earlier;
   RunLock lock;  ///< Outlives the connection: closing a file takes away the locks of SQLite.
   SqliteDatabase database;
   std::optional<SqliteStatement> insert_step, insert_mode, insert_particles, insert_topview;
-  std::vector<fs::path> outdated;  ///< Gone when this run is complete.
-  std::optional<double> last_time_s;
+  int steps_written = 0, last_step = 0;
+  double last_time_s = 0.0;
 
   [[nodiscard]] Result<void> prepare();
   [[nodiscard]] Result<void> check(const RunStep& step) const;
   [[nodiscard]] Result<void> write_numbers(const RunStep& step);
   [[nodiscard]] Result<void> write_modes(const RunStep& step);
   [[nodiscard]] Result<void> write_blobs(const RunStep& step);
+  void close();
+  void discard();
 };
 
 Result<void> RunWriter::Implementation::prepare() {
@@ -171,21 +80,30 @@ Result<void> RunWriter::Implementation::prepare() {
       });
 }
 
+/// Refuses whatever a reader of the file would refuse. What blobs hold is checked as they are made.
 Result<void> RunWriter::Implementation::check(const RunStep& step) const {
-  if (!std::isfinite(step.time_s) || !is_finite(step.odom_from_body) ||
-      (step.odometry_in_enu && !is_finite(*step.odometry_in_enu)) ||
-      !is_finite(step.estimate.moments.mean) ||
-      (step.truth_in_enu && !is_finite(*step.truth_in_enu))) {
-    return fail(ErrorCode::kMalformed, "{}: step {} has a time or pose that is not finite", name,
-                step.step);
+  if (const auto fault = detail::fault_of(step)) {
+    return fail(ErrorCode::kMalformed, "{}: step {}: {}", name, step.step,
+                detail::fault_text(*fault, detail::kStepColumns));
   }
-  if (last_time_s && step.time_s < *last_time_s) {
+  for (std::size_t rank = 0; rank < step.estimate.modes.size(); ++rank) {
+    if (const auto fault = detail::fault_of(step.estimate.modes[rank])) {
+      return fail(ErrorCode::kMalformed, "{}: step {}, mode of rank {}: {}", name, step.step, rank,
+                  detail::fault_text(*fault, detail::kModeColumns));
+    }
+  }
+  if (steps_written == 0) return {};
+  if (step.time_s < last_time_s) {
     return fail(ErrorCode::kMalformed, "{}: time goes back from {} s to {} s at step {}", name,
-                *last_time_s, step.time_s, step.step);
+                last_time_s, step.time_s, step.step);
   }
-  if (last_time_s == step.time_s) {
+  if (step.time_s == last_time_s) {
     return fail(ErrorCode::kMalformed, "{}: time {} s of step {} is that of the step before", name,
                 step.time_s, step.step);
+  }
+  if (step.step <= last_step) {
+    return fail(ErrorCode::kMalformed, "{}: step {} comes after step {}", name, step.step,
+                last_step);
   }
   return {};
 }
@@ -239,30 +157,63 @@ Result<void> RunWriter::Implementation::write_blobs(const RunStep& step) {
   return {};
 }
 
+void RunWriter::Implementation::close() {
+  for (auto* statement : {&insert_step, &insert_mode, &insert_particles, &insert_topview}) {
+    statement->reset();
+  }
+  const SqliteDatabase closed = std::move(database);
+}
+
+void RunWriter::Implementation::discard() {
+  close();
+  detail::remove_run(path);
+  earlier.bring_back();
+}
+
 RunWriter::RunWriter(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
 RunWriter::RunWriter(RunWriter&&) noexcept = default;
 RunWriter::~RunWriter() = default;
 
+Result<void> RunWriter::check_output(const fs::path& path) {
+  return detail::check_run_output(path);
+}
+
 Result<RunWriter> RunWriter::create(const fs::path& path, const RunHeader& header) {
-  const auto outdated = outdated_runs(path);
-  if (const auto room = make_room(path); !room) return forward_error(room);
+  if (const auto checked = detail::check_header(header, path.string()); !checked) {
+    return forward_error(checked);
+  }
+  auto earlier = EarlierRun::put_aside(path);
+  if (!earlier) return forward_error(earlier);
   auto lock = RunLock::make(path);
-  if (!lock) return forward_error(lock);
-  auto database = create_database(path, header);
+  if (!lock) {
+    earlier->bring_back();
+    return forward_error(lock);
+  }
+  auto database = detail::create_run_database(path, header);
   if (!database) {
-    std::error_code ignored;
-    fs::remove(path, ignored);
-    fs::remove(path.string() + "-journal", ignored);
+    detail::remove_run(path);
+    earlier->bring_back();
     return forward_error(database);
   }
-  auto implementation = std::unique_ptr<Implementation>(new Implementation{
-      path.string(), std::move(*lock), std::move(*database), {}, {}, {}, {}, outdated, {}});
-  if (const auto prepared = implementation->prepare(); !prepared) return forward_error(prepared);
+  auto implementation = std::unique_ptr<Implementation>(new Implementation{path,
+                                                                           path.string(),
+                                                                           std::move(*earlier),
+                                                                           std::move(*lock),
+                                                                           std::move(*database),
+                                                                           {},
+                                                                           {},
+                                                                           {},
+                                                                           {}});
+  if (const auto prepared = implementation->prepare(); !prepared) {
+    implementation->discard();
+    return forward_error(prepared);
+  }
   return RunWriter(std::move(implementation));
 }
 
 Result<void> RunWriter::write(const RunStep& step) {
+  NADIR_REQUIRE(implementation_ != nullptr);
   Implementation& run = *implementation_;
   if (auto checked = run.check(step); !checked) return checked;
   auto transaction = SqliteTransaction::begin(run.database, "BEGIN IMMEDIATE");
@@ -271,19 +222,34 @@ Result<void> RunWriter::write(const RunStep& step) {
                      .and_then([&] { return run.write_modes(step); })
                      .and_then([&] { return run.write_blobs(step); })
                      .and_then([&] { return transaction->commit(); });
-  if (written) run.last_time_s = step.time_s;
-  return written;
+  if (!written) return written;
+  ++run.steps_written;
+  run.last_step = step.step;
+  run.last_time_s = step.time_s;
+  return {};
 }
 
 Result<void> RunWriter::finish() {
+  NADIR_REQUIRE(implementation_ != nullptr);
   const SqliteDatabase& database = implementation_->database;
   auto finished = database.execute("PRAGMA synchronous = FULL").and_then([&] {
     return database.execute("UPDATE about SET value = '1' WHERE key = 'is_complete'");
   });
-  if (!finished) return finished;
-  std::error_code ignored;
-  for (const fs::path& run : std::exchange(implementation_->outdated, {})) fs::remove(run, ignored);
-  return {};
+  if (finished) implementation_->earlier.remove_with_abandoned();
+  return finished;
+}
+
+fs::path RunWriter::stop() {
+  NADIR_REQUIRE(implementation_ != nullptr);
+  const std::unique_ptr<Implementation> run = std::move(implementation_);
+  if (!run->earlier.is_worth_more_than(run->steps_written)) run->earlier.remove();
+  return run->earlier.path();
+}
+
+void RunWriter::discard() {
+  NADIR_REQUIRE(implementation_ != nullptr);
+  const std::unique_ptr<Implementation> run = std::move(implementation_);
+  run->discard();
 }
 
 }  // namespace nadir

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/trajectory_output.h"
 #include "core/base/staged_output.h"
 #include "core/geo/trajectory_file.h"
 #include "tests/app/program.h"
@@ -216,10 +217,31 @@ TEST_F(EvaluateCommand, DoesNotWriteOverWhatItReads) {
     EXPECT_EQ(refused.status, 2);
     EXPECT_THAT(refused.err, HasSubstr(std::string(flag) + ": " + recorded + " is a run to read"));
   }
-  const auto twice = run_program(
-      {"evaluate", recorded, "--out", path("both.txt"), "--trajectory", path("both.txt")});
-  EXPECT_EQ(twice.status, 2);
+  const auto respelt = run_program({"evaluate", recorded, "--trajectory", path("./R.nadir")});
+  EXPECT_EQ(respelt.status, 2);
+  EXPECT_THAT(respelt.err, HasSubstr("is a run to read"));
+  for (const char* name : {"both.txt", "./both.txt", "nowhere/../both.txt"}) {
+    const auto twice =
+        run_program({"evaluate", recorded, "--out", path("both.txt"), "--trajectory", path(name)});
+    EXPECT_EQ(twice.status, 2) << name;
+    EXPECT_THAT(twice.err, HasSubstr("is the file of --out"));
+  }
   EXPECT_EQ(scratch_.entries(), 1);
+}
+
+TEST_F(EvaluateCommand, KnowsAFileByAnyOfItsNames) {
+  using cli::names_same_file;
+  EXPECT_TRUE(names_same_file("to-be-made.nadir", "./to-be-made.nadir"));
+  EXPECT_TRUE(
+      names_same_file("to-be-made.nadir", std::filesystem::current_path() / "to-be-made.nadir"));
+  EXPECT_FALSE(names_same_file("to-be-made.nadir", "to-be-made.txt"));
+  EXPECT_FALSE(names_same_file("", "")) << "no file at all";
+  EXPECT_FALSE(names_same_file("", std::filesystem::current_path()));
+  std::filesystem::create_directory_symlink(scratch_.path(), path("link"));
+  EXPECT_TRUE(names_same_file(path("link/new.nadir"), path("new.nadir")));
+  const std::string recorded = run("R.nadir", 1);
+  std::filesystem::create_symlink("R.nadir", path("L.nadir"));
+  EXPECT_TRUE(names_same_file(recorded, path("L.nadir")));
 }
 
 TEST_F(EvaluateCommand, WritesTheTrajectoryOfOneRunOnly) {

@@ -5,12 +5,9 @@
 
 #include "core/base/staged_output.h"
 #include "core/flight/flight_writer.h"
-#include "core/geo/trajectory_file.h"
 #include "core/map/overhead_map_file.h"
 #include "core/run/run_file.h"
-#include "tests/app/program.h"
-#include "tests/core/sim/street_map.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/app/short_flight.h"
 
 namespace nadir {
 namespace {
@@ -21,50 +18,7 @@ using testing::Not;
 
 namespace fs = std::filesystem;
 
-/// A small town and a short flight over it, made once for all tests of this file.
-class LocaliseCommand : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    scratch_ = new ScratchFolder();
-    OverheadMap map = street_map(0.2);
-    map.name = "crossing";
-    ASSERT_TRUE(
-        write_overhead_map(map, {.name = "crossing"}, std::nullopt, path("map")).has_value());
-    scratch_->file("route.toml",
-                   "name = \"along\"\nspeed_mps = 4.0\n"
-                   "[[waypoint]]\neast_m = 8.0\nnorth_m = 28.0\n[[waypoint]]\neast_m = "
-                   "68.0\nnorth_m = 28.0\n");
-    const auto made = run_program({"simulate", path("map"), "--route", path("route.toml"), "--out",
-                                   path("flight"), "--image-width", "160", "--image-height", "120",
-                                   "--seed", "3", "--level", "easy"});
-    ASSERT_EQ(made.status, 0) << made.err;
-  }
-  static void TearDownTestSuite() {
-    delete scratch_;
-    scratch_ = nullptr;
-  }
-  static std::string path(const std::string& name) { return (scratch_->path() / name).string(); }
-
-  static std::vector<std::string> localise(const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = {"localise", path("flight"), "--map", path("map")};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-  }
-  /// Exit status 1 (or 2 where the command line is wrong), one sentence that holds `fault`, and no file left under the name.
-  static void expect_refused(const std::vector<std::string>& arguments,
-                             const std::string& fault,
-                             int status = 1) {
-    const auto refused = run_program(arguments);
-    EXPECT_EQ(refused.status, status) << fault;
-    EXPECT_THAT(refused.err, HasSubstr(fault));
-    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
-    EXPECT_EQ(refused.out, "");
-    EXPECT_FALSE(fs::exists(path("refused.nadir")));
-  }
-
-  static ScratchFolder* scratch_;
-};
-ScratchFolder* LocaliseCommand::scratch_ = nullptr;
+class LocaliseCommand : public ShortFlight {};
 
 TEST_F(LocaliseCommand, PrintsTheTableAndWritesARunThatEvaluatesToTheSameJson) {
   const auto localised = run_program(localise({"--out", path("run.nadir"), "--json"}));
@@ -153,8 +107,6 @@ TEST_F(LocaliseCommand, RefusesValuesThatMakeNoSense) {
   expect_refused(localise({"--prior", "1,nan,2"}), "--prior: '1,nan,2' is not 3 numbers", 1);
   expect_refused(localise({"--prior", "8,28,0", "--prior-sigma", "1,-1"}),
                  "--prior-sigma: '1,-1' holds a negative deviation", 1);
-  expect_refused(localise({"--out", path("refused.nadir"), "--trajectory", path("refused.nadir")}),
-                 "--trajectory: ", 1);
   EXPECT_EQ(run_program(localise({"--particles", "50", "--frames", "3"})).status, 0);
 }
 
@@ -165,32 +117,6 @@ TEST_F(LocaliseCommand, FailsWhereARecipeOrTheMapSaysNoToTheSame) {
   expect_refused(localise({"--recipe", path("thesys.toml")}), "thesys.toml: ");
   expect_refused(localise({"--prior", "-500,0,0", "--out", path("refused.nadir")}),
                  "--prior: -500.0 m east, 0.0 m north is off map 'crossing'");
-}
-
-TEST_F(LocaliseCommand, WritesTheEstimatesAsTumTextInMetresOfTheProjectPlane) {
-  const auto localised = run_program(
-      localise({"--out", path("T.nadir"), "--trajectory", path("estimate.txt"), "--frames", "12"}));
-  ASSERT_EQ(localised.status, 0) << localised.err;
-  const auto steps = RunReader::open(path("T.nadir")).value().steps().value();
-  const auto poses = read_trajectory(path("estimate.txt")).value().poses();
-  ASSERT_EQ(poses.size(), 12U);
-  ASSERT_EQ(steps.size(), 12U);
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Rigid2& mean = steps[i].estimate.moments.mean;
-    EXPECT_EQ(poses[i].time_s, steps[i].time_s);
-    EXPECT_EQ(poses[i].pose.translation_m, Eigen::Vector3d(mean.x_m, mean.y_m, 0.0));
-    EXPECT_NEAR(planar(poses[i].pose).yaw_rad, mean.yaw_rad, 1e-12);
-  }
-  ASSERT_EQ(
-      run_program({"evaluate", path("T.nadir"), "--trajectory", path("evaluated.txt")}).status, 0);
-  EXPECT_EQ(read_text_file(path("evaluated.txt")).value(),
-            read_text_file(path("estimate.txt")).value());
-}
-
-TEST_F(LocaliseCommand, FindsOutBeforeItBeginsThatATrajectoryCannotBeWritten) {
-  expect_refused(
-      localise({"--out", path("refused.nadir"), "--trajectory", path("nowhere/estimate.txt")}),
-      "--trajectory: " + path("nowhere/estimate.txt"));
 }
 
 TEST_F(LocaliseCommand, RefusesAMissingMapOrFlightByName) {
@@ -207,24 +133,6 @@ TEST_F(LocaliseCommand, RefusesAMapWithoutClassesOrOfOnlyOne) {
     expect_refused(
         {"localise", path("flight"), "--map", path(name), "--out", path("refused.nadir")}, name);
   }
-}
-
-TEST_F(LocaliseCommand, RefusesToOverwriteAFileThatIsNoRun) {
-  const auto letter = scratch_->file("letter.txt", "dear");
-  const auto refused = run_program(localise({"--out", letter.string()}));
-  EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.err, HasSubstr("letter.txt"));
-  EXPECT_EQ(read_text_file(letter).value(), "dear");
-}
-
-TEST_F(LocaliseCommand, RefusesAnOutputFolderThatIsNotThere) {
-  const auto refused = run_program(localise({"--out", path("nowhere/run.nadir")}));
-  EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.err, HasSubstr("nowhere"));
-  const auto simulated = run_program(
-      {"simulate", path("map"), "--route", path("route.toml"), "--out", path("nowhere/flight")});
-  EXPECT_EQ(simulated.status, 1);
-  EXPECT_THAT(simulated.err, HasSubstr("nowhere"));
 }
 
 /// A copy of the flight that a test may damage.

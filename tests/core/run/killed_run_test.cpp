@@ -192,6 +192,28 @@ TEST(KilledRun, CanBeReplacedByANewOne) {
   EXPECT_EQ(check_three_steps(path), 0) << "the old journal does not reach into the new run";
 }
 
+TEST(KilledRun, IsWholeAgainWhenTheOneThatReplacedItIsDiscarded) {
+  const ScratchFolder folder;
+  const fs::path path = folder.path() / "R.nadir";
+  leave_half_a_step(path);
+  auto writer = RunWriter::create(path, {}).value();
+  ASSERT_TRUE(writer.write(example_step(0)));
+  writer.discard();
+  EXPECT_EQ(check_three_steps(path), 0);
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(KilledRun, IsWholeWhereItStaysBesideAShorterOneThatWasStopped) {
+  const ScratchFolder folder;
+  const fs::path path = folder.path() / "R.nadir";
+  leave_half_a_step(path);
+  auto writer = RunWriter::create(path, {}).value();
+  ASSERT_TRUE(writer.write(example_step(0)));
+  EXPECT_EQ(check_three_steps(writer.stop()), 0);
+  EXPECT_EQ(RunReader::open(path)->step_count(), 1);
+  EXPECT_EQ(folder.entries(), 2) << "no journal is left";
+}
+
 TEST(RunWriter, RefusesAFileThatAnotherWriterIsAtWorkOn) {
   const ScratchFolder folder;
   const fs::path path = folder.path() / "R.nadir";
@@ -201,6 +223,9 @@ TEST(RunWriter, RefusesAFileThatAnotherWriterIsAtWorkOn) {
     EXPECT_THAT(error_text(RunWriter::create(path, {})),
                 HasSubstr("R.nadir: is being written by another run"));
     EXPECT_EQ(in_child([&] { return RunWriter::create(path, {}) ? 1 : 0; }), 0);
+    EXPECT_THAT(error_text(RunWriter::check_output(path)),
+                HasSubstr("R.nadir: is being written by another run"));
+    EXPECT_EQ(folder.entries(), 1) << "nothing was put aside";
     EXPECT_EQ(RunReader::open(path)->step_count(), 1) << "readers are welcome";
     ASSERT_TRUE(writer.write(example_step(1))) << "and the first one goes on";
     EXPECT_EQ(RunReader::open(path)->step_count(), 2);

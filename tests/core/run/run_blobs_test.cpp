@@ -71,12 +71,11 @@ TEST(ParticleBlob, IsRefusedWithEveryFlippedBitOfItsDataAndWhenCutShort) {
   }
 }
 
-TEST(ParticleBlob, IsRefusedWhereItsNumbersAreNoParticles) {
+TEST(ParticleBlob, IsNotMadeOfNumbersThatAreNoParticles) {
   const auto fault = [](auto damage) {
     ParticleSet particles = example_particles();
     damage(particles);
-    const Bytes blob = encode_particles(particles, kEstimate).value();
-    return error_text(decode_particles(blob, 200, kEstimate));
+    return error_text(encode_particles(particles, kEstimate));
   };
   EXPECT_THAT(fault([](ParticleSet& p) { p.x_in_enu_m[5] = std::nan(""); }),
               HasSubstr("particle 5 is no pose"));
@@ -86,6 +85,35 @@ TEST(ParticleBlob, IsRefusedWhereItsNumbersAreNoParticles) {
               HasSubstr("particle 0 is no pose with a weight"));
   EXPECT_THAT(fault([](ParticleSet& p) { p.weight.assign(200, 0.0); }),
               HasSubstr("sum to nothing"));
+}
+
+TEST(ParticleBlob, IsRefusedWhereItsNumbersAreNoParticles) {
+  // 16 cells of a topview have as many bytes as 5 particles: the x of particle 0 is `forward` of the
+  // cells 0 and 1, its weight is `left` of the cells 14 and 15.
+  SemanticTopview topview;
+  topview.cells.resize(16);
+  topview.class_begin.fill(16);
+  topview.class_begin[0] = 0;
+  const auto decoded = [&topview] {
+    return decode_particles(encode_topview(topview).value(), 5, kEstimate);
+  };
+  EXPECT_THAT(error_text(decoded()), HasSubstr("its weights sum to nothing"));
+  topview.cells[15].left = 0x3F80;  // 1
+  ASSERT_TRUE(decoded()) << error_text(decoded());
+  EXPECT_EQ(decoded()->weight[0], 1.0);
+  topview.cells[1].forward = 0x7FC0;  // not a number
+  EXPECT_THAT(error_text(decoded()), HasSubstr("particle 0 is no pose with a weight"));
+  topview.cells[1].forward = 0;
+  topview.cells[15].left = static_cast<std::int16_t>(0xBF80);  // -1
+  EXPECT_THAT(error_text(decoded()), HasSubstr("particle 0 is no pose with a weight"));
+}
+
+TEST(TopviewBlob, IsNotMadeOfCellsThatHaveNoWidth) {
+  SemanticTopview topview = example_topview();
+  for (const double width_m : {0.0, -0.1, std::nan(""), HUGE_VAL}) {
+    topview.metres_per_cell = width_m;
+    EXPECT_THAT(error_text(encode_topview(topview)), HasSubstr("m wide"));
+  }
 }
 
 TEST(TopviewBlob, GivesBackEveryCell) {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/run/run_file.h"
+#include "core/run/sqlite_database.h"
+
+namespace nadir::detail {
+
+/// @param name  Stands for the file in messages.
+/// @errors kMalformed: the origin of the plane is no place on Earth, which a reader would refuse.
+[[nodiscard]] Result<void> check_header(const RunHeader& header, const std::string& name);
+
+/// Makes the tables of a run in an empty file, with the header and no steps. A journal of its name is
+/// that of a run whose file somebody took away; it goes, for it would be rolled back into this one.
+/// @errors kIo; then the file is to be removed.
+[[nodiscard]] Result<SqliteDatabase> create_run_database(const std::filesystem::path& path,
+                                                         const RunHeader& header);
+
+}  // namespace nadir::detail
