@@ -41,7 +41,7 @@ Json json_of(const StreamSummary& stream) {
           {"rate_hz", or_null(stream.rate_hz)},
           {"jitter_s", or_null(stream.jitter_s)},
           {"duplicates", stream.duplicates},
-          {"source", stream.source},
+          {"source", stream.source.empty() ? Json(nullptr) : Json(stream.source)},
           {"gaps", gaps}};
 }
 

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <string>
 #include <system_error>
 
 namespace nadir::detail {
@@ -39,6 +40,25 @@ Result<void> wait_for_name(const fs::path& path) {
 
 bool exchange_names(const fs::path& a, const fs::path& b) {
   return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
+}
+
+Result<fs::path> replace_in_two_steps(const fs::path& fresh,
+                                      const fs::path& target,
+                                      const fs::path& aside) {
+  std::error_code error;
+  fs::path old = aside;
+  for (int count = 2; fs::exists(fs::symlink_status(old, error)); ++count) {
+    old = aside;
+    old += "-" + std::to_string(count);
+  }
+  fs::rename(target, old, error);
+  if (error) return fail(ErrorCode::kIo, "{}: {}", target.string(), error.message());
+  fs::rename(fresh, target, error);
+  if (!error) return old;
+  const std::string reason = error.message();
+  fs::rename(old, target, error);
+  return fail(ErrorCode::kIo, "{}: {}{}", target.string(), reason,
+              error ? "; what was there is now called " + old.string() : "");
 }
 
 }  // namespace nadir::detail

@@ -24,4 +24,14 @@ namespace nadir::detail {
 /// @returns false where the file system cannot do that.
 [[nodiscard]] bool exchange_names(const std::filesystem::path& a, const std::filesystem::path& b);
 
+/// Gives `fresh` the name of the folder `target` where they cannot be exchanged: `target` steps
+/// aside first. Nothing is removed, and where `fresh` cannot follow, `target` gets its name back.
+/// @param aside  What the old one is to be called; where that name is taken, such as after a crash
+///   of a process of the same number, `aside`-2, `aside`-3 and so on.
+/// @returns what the old one is called now. @errors kIo.
+[[nodiscard]] Result<std::filesystem::path> replace_in_two_steps(
+    const std::filesystem::path& fresh,
+    const std::filesystem::path& target,
+    const std::filesystem::path& aside);
+
 }  // namespace nadir::detail

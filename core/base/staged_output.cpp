@@ -45,23 +45,68 @@ Result<void> check_parent(const fs::path& target) {
   return {};
 }
 
-/// Whether a folder may be made under this name without losing anything that is not of the same kind.
-Result<void> check_replaceable(const fs::path& target,
-                               const std::string& name,
-                               std::string_view marker,
-                               std::span<const std::string_view> own_entries) {
+}  // namespace
+
+Result<StagedOutput> StagedOutput::file(const fs::path& target) {
+  if (target.empty()) return fail(ErrorCode::kInvalidOptions, "output file: its name is empty");
   std::error_code error;
-  const fs::file_status status = fs::status(target, error);
+  if (fs::is_directory(target, error)) {
+    return fail(ErrorCode::kIo, "{}: is a folder, not a file", target.string());
+  }
+  if (const auto parent = check_parent(target); !parent) return forward_error(parent);
+  clear_partials(target);
+  StagedOutput output(target, std::nullopt);
+  output.staged_ = bystander_of(target, kPartial);
+  return output;
+}
+
+Result<StagedOutput> StagedOutput::folder(const fs::path& given,
+                                          std::string_view marker,
+                                          std::span<const std::string_view> own_entries,
+                                          FolderCheck check) {
+  if (given.empty()) return fail(ErrorCode::kInvalidOptions, "output folder: its name is empty");
+  std::error_code error;
+  const fs::path target = without_trailing_slash(fs::absolute(given, error).lexically_normal());
+  StagedOutput output(target, FolderRule{given.string(),
+                                         std::string(marker),
+                                         {own_entries.begin(), own_entries.end()},
+                                         std::move(check)});
+  if (const auto free = output.check_replaceable(); !free) return forward_error(free);
+  if (const auto parent = check_parent(target); !parent) return forward_error(parent);
+  clear_partials(target);
+  const fs::path staged = bystander_of(target, kPartial);
+  if (!fs::create_directory(staged, error)) {
+    return fail(ErrorCode::kIo, "{}: {}", staged.string(), error.message());
+  }
+  output.staged_ = staged;
+  return output;
+}
+
+StagedOutput::StagedOutput(StagedOutput&& other) noexcept
+    : target_(std::move(other.target_)),
+      rule_(std::move(other.rule_)),
+      staged_(std::exchange(other.staged_, {})) {}
+
+StagedOutput::~StagedOutput() {
+  std::error_code error;
+  if (!staged_.empty()) fs::remove_all(staged_, error);
+}
+
+/// Whether the folder may take its name without losing anything that is not of the same kind.
+Result<void> StagedOutput::check_replaceable() const {
+  const auto& [name, marker, own_entries, check] = *rule_;
+  std::error_code error;
+  const fs::file_status status = fs::status(target_, error);
   if (!fs::exists(status)) return {};
   if (!fs::is_directory(status)) {
     return fail(ErrorCode::kIo, "{}: exists and is not a folder", name);
   }
-  if (fs::equivalent(target, fs::current_path(error), error)) {
+  if (fs::equivalent(target_, fs::current_path(error), error)) {
     return fail(ErrorCode::kIo, "{}: is the folder that you stand in; name a new one", name);
   }
   bool has_marker = false;
   bool is_empty = true;
-  fs::directory_iterator entries(target, error);
+  fs::directory_iterator entries(target_, error);
   for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
     const std::string entry = entries->path().filename().string();
     is_empty = false;
@@ -73,47 +118,11 @@ Result<void> check_replaceable(const fs::path& target,
     }
   }
   if (error) return fail(ErrorCode::kIo, "{}: {}", name, error.message());
-  if (is_empty || has_marker) return {};
-  return fail(ErrorCode::kIo, "{}: exists and holds no {}, so it is left alone", name, marker);
-}
-
-}  // namespace
-
-Result<StagedOutput> StagedOutput::file(const fs::path& target) {
-  if (target.empty()) return fail(ErrorCode::kInvalidOptions, "output file: its name is empty");
-  std::error_code error;
-  if (fs::is_directory(target, error)) {
-    return fail(ErrorCode::kIo, "{}: is a folder, not a file", target.string());
+  if (is_empty) return {};
+  if (!has_marker) {
+    return fail(ErrorCode::kIo, "{}: exists and holds no {}, so it is left alone", name, marker);
   }
-  if (const auto parent = check_parent(target); !parent) return forward_error(parent);
-  clear_partials(target);
-  return StagedOutput(target, bystander_of(target, kPartial));
-}
-
-Result<StagedOutput> StagedOutput::folder(const fs::path& given,
-                                          std::string_view marker,
-                                          std::span<const std::string_view> own_entries) {
-  if (given.empty()) return fail(ErrorCode::kInvalidOptions, "output folder: its name is empty");
-  std::error_code error;
-  const fs::path target = without_trailing_slash(fs::absolute(given, error).lexically_normal());
-  if (const auto free = check_replaceable(target, given.string(), marker, own_entries); !free) {
-    return forward_error(free);
-  }
-  if (const auto parent = check_parent(target); !parent) return forward_error(parent);
-  clear_partials(target);
-  const fs::path staged = bystander_of(target, kPartial);
-  if (!fs::create_directory(staged, error)) {
-    return fail(ErrorCode::kIo, "{}: {}", staged.string(), error.message());
-  }
-  return StagedOutput(target, staged);
-}
-
-StagedOutput::StagedOutput(StagedOutput&& other) noexcept
-    : target_(std::move(other.target_)), staged_(std::exchange(other.staged_, {})) {}
-
-StagedOutput::~StagedOutput() {
-  std::error_code error;
-  if (!staged_.empty()) fs::remove_all(staged_, error);
+  return check ? check(target_) : Result<void>();
 }
 
 Result<void> StagedOutput::commit() {
@@ -123,7 +132,13 @@ Result<void> StagedOutput::commit() {
   }
   // Before the name, what it stands for: a power cut between the two must not find an empty file.
   if (const auto written = detail::wait_for_disk(staged_); !written) return forward_error(written);
-  if (fs::is_directory(target_, error)) return replace_folder();
+  if (rule_) {
+    // Others may have worked there since the output was begun.
+    if (const auto free = check_replaceable(); !free) return forward_error(free);
+    if (fs::is_directory(target_, error)) return replace_folder();
+  } else if (fs::is_directory(target_, error)) {
+    return fail(ErrorCode::kIo, "{}: is a folder, not a file", target_.string());
+  }
   fs::rename(staged_, target_, error);
   if (error) return fail(ErrorCode::kIo, "{}: {}", target_.string(), error.message());
   staged_.clear();
@@ -135,18 +150,11 @@ Result<void> StagedOutput::commit() {
 Result<void> StagedOutput::replace_folder() {
   std::error_code error;
   if (!detail::exchange_names(staged_, target_)) {
-    // Without that, the old one steps aside first, and nobody ever takes it away from there but the
-    // line that ends this function, so that a crash loses neither.
-    const fs::path old = bystander_of(target_, ".replaced-");
-    fs::rename(target_, old, error);
-    if (error) return fail(ErrorCode::kIo, "{}: {}", target_.string(), error.message());
-    fs::rename(staged_, target_, error);
-    if (error) {
-      const std::string reason = error.message();
-      fs::rename(old, target_, error);
-      return fail(ErrorCode::kIo, "{}: {}", target_.string(), reason);
-    }
-    staged_ = old;
+    // Nobody ever takes the old one away from beside the new one but the line that ends this
+    // function, so that a crash loses neither.
+    auto old = detail::replace_in_two_steps(staged_, target_, bystander_of(target_, ".replaced-"));
+    if (!old) return forward_error(old);
+    staged_ = *std::move(old);
   }
   auto named = detail::wait_for_name(target_);
   fs::remove_all(std::exchange(staged_, {}), error);

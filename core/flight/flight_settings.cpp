@@ -16,7 +16,7 @@ constexpr double kHalfPixel = 0.5;  // From pixel centres at whole numbers to ce
 using Keys = std::vector<std::string>;
 const Keys& known_keys(std::string_view table) {
   static const Keys top{"flight", "camera", "truth"};
-  static const Keys flight{"format_version", "name", "provenance", "altitude_m"};
+  static const Keys flight{"format_version", "name", "provenance", "generator", "altitude_m"};
   static const Keys camera{"width",       "height",      "focal_x_px",        "focal_y_px",
                            "centre_x_px", "centre_y_px", "depth_units_per_m", "body_from_camera"};
   static const Keys body_from_camera{"translation_m", "quaternion_xyzw"};
@@ -147,6 +147,9 @@ Result<FlightSettings> parse_flight_settings(std::string_view text, const std::s
   word = settings->text_or("flight.provenance", "");
   if (!word) return forward_error(word);
   flight.provenance = *std::move(word);
+  word = settings->text_or("flight.generator", "");
+  if (!word) return forward_error(word);
+  flight.generator = *std::move(word);
   const auto altitude_m = settings->number_or("flight.altitude_m", 0.0);
   if (!altitude_m) return forward_error(altitude_m);
   flight.altitude_m = *altitude_m;
@@ -162,9 +165,12 @@ Result<FlightSettings> parse_flight_settings(std::string_view text, const std::s
 std::string flight_settings_text(const FlightSettings& flight) {
   std::string text = fmt::format(
       "# A flight in Nadir's own format; core/flight/README.md describes it.\n\n"
-      "[flight]\nformat_version = {}\nname = {}\nprovenance = {}\naltitude_m = {}\n",
-      kFlightFormatVersion, toml_quoted(flight.name), toml_quoted(flight.provenance),
-      flight.altitude_m);
+      "[flight]\nformat_version = {}\nname = {}\nprovenance = {}\n",
+      kFlightFormatVersion, toml_quoted(flight.name), toml_quoted(flight.provenance));
+  if (!flight.generator.empty()) {
+    text += fmt::format("generator = {}\n", toml_quoted(flight.generator));
+  }
+  text += fmt::format("altitude_m = {}\n", flight.altitude_m);
   if (flight.camera) {
     const Eigen::Vector3d& t = flight.body_from_camera.translation_m;
     const Eigen::Quaterniond& q = flight.body_from_camera.rotation;

@@ -16,6 +16,9 @@ namespace nadir {
 struct FlightSettings {
   std::string name;
   std::string provenance;  ///< One sentence: where the recording comes from.
+  /// The program that made the flight up and can make it again; empty for recordings, which are
+  /// never replaced.
+  std::string generator = {};
   double altitude_m = 0.0;
   std::optional<CameraModel> camera;
   Rigid3 body_from_camera{forward_body_from_camera(), Eigen::Vector3d::Zero()};

@@ -148,8 +148,8 @@ void note_gaps(const StreamSummary& stream, std::vector<std::string>& notices) {
 void note_duplicates(const StreamSummary& stream, std::vector<std::string>& notices) {
   if (stream.duplicates == 0) return;
   notices.push_back(fmt::format(
-      "{}: {} of {} samples come as good as at the time of the one before; rate, jitter "
-      "and gaps leave them out",
+      "{}: {} of {} samples have practically the time of the one before; rate, jitter and gaps "
+      "leave them out",
       stream.name, stream.duplicates, stream.count));
 }
 

@@ -25,9 +25,9 @@ struct StreamSummary {
   std::optional<double> rate_hz;   ///< One over the median interval; nothing for a single sample.
   std::optional<double> jitter_s;  ///< Root mean square of interval minus median, gaps left out.
   std::vector<TimeSpan> gaps;      ///< Intervals longer than 1.8 medians, in order of time.
-  /// Samples that come as good as at the same time as the one before: within a tenth of the interval
-  /// that three quarters of all stay below. They count in `count` alone: neither rate, nor jitter,
-  /// nor gaps know of them.
+  /// Samples that have practically the time of the one before: within a tenth of the interval that
+  /// three quarters of all stay below. They count in `count` alone: neither rate, nor jitter, nor
+  /// gaps know of them.
   std::size_t duplicates = 0;
   /// What a trajectory was read from, as seen from the flight ("odometry.txt"); else empty.
   std::string source = {};

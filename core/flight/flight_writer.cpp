@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "core/base/settings.h"
 #include "core/base/staged_output.h"
 #include "core/flight/colour_image.h"
 #include "core/flight/flight_settings.h"
@@ -33,6 +34,25 @@ Result<void> write_file(const fs::path& path, const fs::path& shown, std::string
 
 std::string_view as_text(const std::vector<std::uint8_t>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// Whether a flight may give way to one of this generator; `shown` is what its folder is called in
+/// messages.
+Result<void> check_generator(const fs::path& folder,
+                             const std::string& shown,
+                             const std::string& generator) {
+  constexpr std::uintmax_t kLargestText = 1U << 20U;
+  const auto text = read_text_file(folder / "flight.toml", kLargestText);
+  if (!text) return forward_error(text);
+  const auto settings = parse_flight_settings(*text, (folder / "flight.toml").string());
+  if (!settings) {
+    return fail(ErrorCode::kIo, "{}: is left alone; name a new folder ({})", shown,
+                settings.error().message);
+  }
+  if (!generator.empty() && settings->generator == generator) return {};
+  return fail(
+      ErrorCode::kIo, "{}: holds a flight that {}, so it is left alone; name a new folder", shown,
+      settings->generator.empty() ? "may be a recording" : "was made by " + settings->generator);
 }
 
 }  // namespace
@@ -127,10 +147,12 @@ FlightWriter::~FlightWriter() = default;
 
 Result<FlightWriter> FlightWriter::create(const fs::path& folder,
                                           const FlightDescription& description,
-                                          const std::string& provenance) {
+                                          const std::string& provenance,
+                                          const std::string& generator) {
   FlightSettings settings;
   settings.name = description.name;
   settings.provenance = provenance;
+  settings.generator = generator;
   settings.altitude_m = description.altitude_m;
   settings.camera = description.camera;
   settings.body_from_camera = description.body_from_camera;
@@ -142,7 +164,11 @@ Result<FlightWriter> FlightWriter::create(const fs::path& folder,
   static constexpr std::array<std::string_view, 9> kEntries = {
       "flight.toml", "labels",  "depth",        "rgb",      "labels.txt",
       "depth.txt",   "rgb.txt", "odometry.txt", "truth.txt"};
-  auto output = StagedOutput::folder(folder, kEntries.front(), kEntries);
+  auto output =
+      StagedOutput::folder(folder, kEntries.front(), kEntries,
+                           [shown = folder.string(), generator](const fs::path& standing) {
+                             return check_generator(standing, shown, generator);
+                           });
   if (!output) return forward_error(output);
   FlightWriter writer(std::make_unique<Implementation>(
       Implementation{*std::move(output), folder, std::move(settings)}));

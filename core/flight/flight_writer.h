@@ -34,11 +34,16 @@ struct EncodedFrame {
 class FlightWriter {
  public:
   /// Name, camera, body_from_camera, altitude and truth origin are taken from `description`; its
-  /// frames and trajectories are not. `provenance` is one sentence for flight.toml. @errors kIo:
-  /// the folder cannot be made or holds something else.
+  /// frames and trajectories are not. `provenance` is one sentence for flight.toml.
+  ///
+  /// A flight that stands there already is replaced only by the `generator` that its flight.toml
+  /// names: what a program made up it can make again, but a recording is never replaced, and a
+  /// recorder, whose generator is empty, replaces nothing.
+  /// @errors kIo: the folder cannot be made, or holds something else or another's flight.
   [[nodiscard]] static Result<FlightWriter> create(const std::filesystem::path& folder,
                                                    const FlightDescription& description,
-                                                   const std::string& provenance);
+                                                   const std::string& provenance,
+                                                   const std::string& generator = {});
   FlightWriter(FlightWriter&&) noexcept;
   ~FlightWriter();
 
@@ -46,7 +51,8 @@ class FlightWriter {
   /// without any has no rgb.txt. @errors kMalformed (order, sizes, no PNG or JPEG), kIo (disk
   /// full).
   [[nodiscard]] Result<void> write(const EncodedFrame& frame);
-  /// Writes lists, trajectories and flight.toml, and gives the folder its name.
+  /// Writes lists, trajectories and flight.toml, and gives the folder its name. @errors kIo: as
+  /// above, also where something else has come to stand there meanwhile.
   [[nodiscard]] Result<void> finish(const std::optional<Trajectory>& odometry,
                                     const std::optional<Trajectory>& truth);
 

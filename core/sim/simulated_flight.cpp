@@ -178,7 +178,8 @@ Result<SimulatedFlight> simulate_flight(const OverheadMap& map,
       fmt::format("Simulated on the map {}, level {}, seed {}, {} labels, {} odometry", map.name,
                   enum_name(options.level), options.seed,
                   options.has_label_noise ? "noisy" : "perfect",
-                  path.odometry ? "recorded" : "made-up"));
+                  path.odometry ? "recorded" : "made-up"),
+      "nadir simulate");
   if (!writer) return forward_error(writer);
 
   work.report(0.0, "raising the world");

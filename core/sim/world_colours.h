@@ -14,8 +14,8 @@ namespace nadir {
 ///
 /// - Ground, and crowns over ground that the map calls vegetation, take the colour of the overhead
 ///   picture where they are hit: bilinear, averaged over about the ground that the pixel covers, so
-///   that far ground does not sparkle. Shadows are those of the picture. Without a picture, and
-///   off the map, ground has the colour of its class.
+///   that far ground does not sparkle. Shadows are those of the picture. Without a picture,
+///   ground has the colour of its class. Off the map all is bare ground, in one colour.
 /// - Walls, fences, trees, cars and people have colours of their kind, some varying from thing to
 ///   thing, in the light of the sun of the bundled town (south-east, 50 degrees high) by
 ///   Lambert's law. They cast no shadows.

@@ -73,6 +73,8 @@ TEST(FlightInfo, JsonIsOneObjectWithUnitsInItsKeys) {
   EXPECT_EQ(json["streams"].size(), 3U);
   EXPECT_EQ(json["streams"][1]["name"], "labels");
   EXPECT_NEAR(json["streams"][1]["rate_hz"].get<double>(), 2.0, 1e-9);
+  EXPECT_TRUE(json["streams"][1]["source"].is_null()) << "images come from many files";
+  EXPECT_EQ(json["streams"][2]["source"], "odometry.txt");
   EXPECT_NEAR(json["odometry_length_m"].get<double>(), 4.0, 1e-9);
   EXPECT_TRUE(json["truth_length_m"].is_null());
   EXPECT_TRUE(json["truth_origin"].is_null());

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/durability.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+
+#include <cstdio>
 
 #include "core/base/staged_output.h"
 #include "tests/support/error_text.h"
@@ -41,17 +44,78 @@ TEST(WaitForDisk, SaysWhatIsNotThere) {
   EXPECT_FALSE(wait_for_name(folder.path() / "none" / "run.nadir"));
 }
 
-TEST(ExchangeNames, GivesFoldersEachOthersNameOrLeavesThemAlone) {
+/// Two filled folders, "old" and "new", whose file says which is which.
+class TwoFolders : public testing::Test {
+ protected:
+  TwoFolders() {
+    (void)folder.file("old/a", "old");
+    (void)folder.file("new/a", "new");
+  }
+  [[nodiscard]] static std::string content(const fs::path& named) {
+    return read_text_file(named / "a").value_or("(nothing)");
+  }
+
   const ScratchFolder folder;
-  (void)folder.file("old/a", "old");
-  (void)folder.file("new/a", "new");
   const fs::path old_folder = folder.path() / "old";
   const fs::path new_folder = folder.path() / "new";
-  const bool is_exchanged = exchange_names(new_folder, old_folder);
-  EXPECT_EQ(read_text_file(old_folder / "a").value(), is_exchanged ? "new" : "old");
-  EXPECT_EQ(read_text_file(new_folder / "a").value(), is_exchanged ? "old" : "new");
-  EXPECT_FALSE(exchange_names(new_folder, folder.path() / "none"));
+  const fs::path aside = folder.path() / "old.replaced-7";
+};
+
+TEST_F(TwoFolders, ExchangeNamesWhereTheFileSystemCan) {
+  const ScratchFolder probe;  // In the same place, so on the same file system.
+  fs::create_directory(probe.path() / "a");
+  fs::create_directory(probe.path() / "b");
+  if (::renameat2(AT_FDCWD, (probe.path() / "a").c_str(), AT_FDCWD, (probe.path() / "b").c_str(),
+                  RENAME_EXCHANGE) != 0) {
+    EXPECT_FALSE(exchange_names(new_folder, old_folder));
+    EXPECT_EQ(content(old_folder), "old");
+    GTEST_SKIP() << "this file system cannot exchange names";
+  }
+  EXPECT_TRUE(exchange_names(new_folder, old_folder));
+  EXPECT_EQ(content(old_folder), "new");
+  EXPECT_EQ(content(new_folder), "old");
   EXPECT_EQ(folder.entries(), 2);
+}
+
+TEST_F(TwoFolders, StayAsTheyAreWhereOneOfTwoNamesIsNobodys) {
+  EXPECT_FALSE(exchange_names(new_folder, folder.path() / "none"));
+  EXPECT_EQ(content(new_folder), "new");
+  EXPECT_EQ(folder.entries(), 2);
+}
+
+TEST_F(TwoFolders, TakePlacesInTwoStepsAndBothAreStillThere) {
+  const auto replaced = replace_in_two_steps(new_folder, old_folder, aside);
+  ASSERT_TRUE(replaced) << error_text(replaced);
+  EXPECT_EQ(*replaced, aside);
+  EXPECT_EQ(content(old_folder), "new");
+  EXPECT_EQ(content(aside), "old");
+  EXPECT_EQ(folder.entries(), 2);
+}
+
+TEST_F(TwoFolders, TheOldOneGetsItsNameBackWhereTheNewOneCannotFollow) {
+  const auto replaced = replace_in_two_steps(folder.path() / "none", old_folder, aside);
+  EXPECT_EQ(error_code(replaced), ErrorCode::kIo);
+  EXPECT_EQ(error_text(replaced), old_folder.string() + ": No such file or directory");
+  EXPECT_EQ(content(old_folder), "old");
+  EXPECT_EQ(folder.entries(), 2) << "nothing is left aside";
+}
+
+TEST_F(TwoFolders, AreLeftAloneWhereTheOldOneCannotStepAside) {
+  const auto replaced = replace_in_two_steps(new_folder, folder.path() / "none", aside);
+  EXPECT_THAT(error_text(replaced), HasSubstr("none: No such file"));
+  EXPECT_EQ(content(new_folder), "new");
+  EXPECT_EQ(folder.entries(), 2);
+}
+
+TEST_F(TwoFolders, WhatACrashLeftAsideIsNeitherReplacedNorInTheWay) {
+  (void)folder.file("old.replaced-7/a", "older");
+  (void)folder.file("old.replaced-7-2/a", "oldest");
+  const auto replaced = replace_in_two_steps(new_folder, old_folder, aside);
+  ASSERT_TRUE(replaced) << error_text(replaced);
+  EXPECT_EQ(replaced->filename(), "old.replaced-7-3");
+  EXPECT_EQ(content(*replaced), "old");
+  EXPECT_EQ(content(aside), "older");
+  EXPECT_EQ(content(old_folder), "new");
 }
 
 }  // namespace

@@ -133,6 +133,20 @@ TEST(StagedFile, AFolderOrAnEmptyNameIsNoTarget) {
   EXPECT_EQ(error_code(StagedOutput::folder("", "flight.toml")), ErrorCode::kInvalidOptions);
 }
 
+TEST(StagedFile, AFolderThatCameToStandInItsPlaceStays) {
+  const ScratchFolder folder;
+  const fs::path target = folder.path() / "run.nadir";
+  {
+    auto staged = StagedOutput::file(target);
+    ASSERT_TRUE(staged);
+    write(staged->path(), "whole");
+    (void)folder.file("run.nadir/chapter.tex", "three years of work");
+    EXPECT_EQ(error_text(staged->commit()), target.string() + ": is a folder, not a file");
+  }
+  EXPECT_EQ(read(target / "chapter.tex"), "three years of work");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
 TEST(StagedFile, MovingItMovesTheDutyToCleanUp) {
   const ScratchFolder folder;
   {
@@ -219,6 +233,73 @@ TEST(StagedFolder, AFileInItsPlaceIsAFault) {
   const ScratchFolder folder;
   EXPECT_THAT(error_text(StagedOutput::folder(folder.file("flight", ""), "flight.toml")),
               HasSubstr("exists and is not a folder"));
+}
+
+/// Begins a flight, lets `meanwhile` be written into the folder's place, commits, and cleans up.
+std::string fault_of_late_commit(const ScratchFolder& folder, const std::string& meanwhile) {
+  static constexpr std::array<std::string_view, 2> kEntries = {"flight.toml", "labels"};
+  auto staged = StagedOutput::folder(folder.path() / "flight", "flight.toml", kEntries);
+  if (!staged) return "cannot be begun: " + error_text(staged);
+  write(staged->path() / "flight.toml", "new");
+  (void)folder.file(meanwhile, "of somebody else");
+  const auto committed = staged->commit();
+  return error_text(committed);
+}
+
+TEST(StagedFolder, AFolderThatAppearsWhileItIsWrittenStays) {
+  const ScratchFolder folder;
+  EXPECT_EQ(fault_of_late_commit(folder, "flight/notes.txt"),
+            (folder.path() / "flight").string() +
+                ": holds notes.txt, so it is left alone; name a new folder");
+  EXPECT_EQ(read(folder.path() / "flight" / "notes.txt"), "of somebody else");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(StagedFolder, AFolderThatIsFilledWhileItIsWrittenStays) {
+  const ScratchFolder folder;
+  fs::create_directory(folder.path() / "flight");
+  EXPECT_THAT(fault_of_late_commit(folder, "flight/labels"),
+              HasSubstr("holds no flight.toml, so it is left alone"));
+  EXPECT_EQ(read(folder.path() / "flight" / "labels"), "of somebody else");
+
+  const ScratchFolder earlier;
+  (void)earlier.file("flight/flight.toml", "old");
+  EXPECT_THAT(fault_of_late_commit(earlier, "flight/notes.txt"), HasSubstr("holds notes.txt"));
+  EXPECT_EQ(read(earlier.path() / "flight" / "flight.toml"), "old");
+  EXPECT_EQ(earlier.entries(), 1);
+}
+
+TEST(StagedFolder, AFileThatAppearsWhileItIsWrittenStays) {
+  const ScratchFolder folder;
+  EXPECT_THAT(fault_of_late_commit(folder, "flight"), HasSubstr("exists and is not a folder"));
+  EXPECT_EQ(read(folder.path() / "flight"), "of somebody else");
+}
+
+TEST(StagedFolder, ACheckHasTheLastWordOnAFilledFolderAtTheStartAndAtTheEnd) {
+  const ScratchFolder folder;
+  const fs::path target = folder.path() / "flight";
+  const auto check = [](const fs::path& found) -> Result<void> {
+    if (read(found / "flight.toml") == "mine") return {};
+    return fail(ErrorCode::kIo, "not mine");
+  };
+  fs::create_directory(target);
+  EXPECT_TRUE(StagedOutput::folder(target, "flight.toml", {}, check)) << "an empty one may go";
+  (void)folder.file("flight/flight.toml", "yours");
+  EXPECT_EQ(error_text(StagedOutput::folder(target, "flight.toml", {}, check)), "not mine");
+  (void)folder.file("flight/flight.toml", "mine");
+  {
+    auto staged = StagedOutput::folder(target, "flight.toml", {}, check);
+    ASSERT_TRUE(staged) << error_text(staged);
+    auto moved = std::move(*staged);
+    write(moved.path() / "flight.toml", "mine, too");
+    (void)folder.file("flight/flight.toml", "yours");
+    EXPECT_EQ(error_text(moved.commit()), "not mine");
+    EXPECT_EQ(read(target / "flight.toml"), "yours");
+    (void)folder.file("flight/flight.toml", "mine");
+    EXPECT_TRUE(moved.commit());
+  }
+  EXPECT_EQ(read(target / "flight.toml"), "mine, too");
+  EXPECT_EQ(folder.entries(), 1);
 }
 
 TEST(StagedFolder, ACommitThatFailsKeepsTheOldFolder) {

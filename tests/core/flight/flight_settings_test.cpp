@@ -26,6 +26,7 @@ TEST(FlightSettings, HaveDefaultsForAllThatMayBeLeftOut) {
   const auto flight = parse_flight_settings("[flight]\nformat_version = 1\n", "flight.toml");
   ASSERT_TRUE(flight) << message_of(flight);
   EXPECT_EQ(flight->name, "");
+  EXPECT_EQ(flight->generator, "");
   EXPECT_EQ(flight->altitude_m, 0.0);
   EXPECT_FALSE(flight->camera);
   EXPECT_FALSE(flight->truth_origin);
@@ -69,6 +70,7 @@ TEST(FlightSettings, AreReadBackAsWritten) {
   FlightSettings flight;
   flight.name = "a \"quoted\" name \\ with\nlines";
   flight.provenance = "made up";
+  flight.generator = "a \"program\"";
   flight.altitude_m = 0.1 + 0.2;
   flight.camera = CameraModel{641, 479, 1.0 / 3.0, 1e3 / 7.0, 320.123456789, 239.5};
   flight.body_from_camera = {
@@ -80,6 +82,7 @@ TEST(FlightSettings, AreReadBackAsWritten) {
   ASSERT_TRUE(again) << message_of(again);
   EXPECT_EQ(again->name, flight.name);
   EXPECT_EQ(again->provenance, flight.provenance);
+  EXPECT_EQ(again->generator, flight.generator);
   EXPECT_EQ(again->altitude_m, flight.altitude_m);
   EXPECT_EQ(again->camera->width, 641);
   EXPECT_EQ(again->camera->focal_x_px, flight.camera->focal_x_px);

@@ -280,10 +280,9 @@ TEST(FlightSummary, NotesDuplicatesInsteadOfGaps) {
     poses.insert(poses.begin() + 10 * i + 1, twin);
   }
   flight.odometry = Trajectory::create(std::move(poses), "odometry").value();
-  EXPECT_THAT(
-      summarise_flight(flight).notices,
-      ElementsAre("odometry: 5 of 246 samples come as good as at the time of the one before; "
-                  "rate, jitter and gaps leave them out"));
+  EXPECT_THAT(summarise_flight(flight).notices,
+              ElementsAre("odometry: 5 of 246 samples have practically the time of the one before; "
+                          "rate, jitter and gaps leave them out"));
 }
 
 TEST(CentreText, GivesThePrincipalPointInBothConventions) {

@@ -35,7 +35,7 @@ class FlightWriterTest : public testing::Test {
  protected:
   [[nodiscard]] fs::path target() const { return folder_.path() / "flight"; }
   [[nodiscard]] Result<FlightWriter> create(const FlightDescription& flight) const {
-    return FlightWriter::create(target(), flight, "made by a test");
+    return FlightWriter::create(target(), flight, "made by a test", "a test");
   }
   /// Names in the parent folder: nothing half-written may stay there.
   [[nodiscard]] std::vector<std::string> names() const {
@@ -202,6 +202,58 @@ TEST_F(FlightWriterTest, AnOlderFlightIsReplacedAndOtherFoldersAreLeftAlone) {
   ASSERT_FALSE(writer);
   EXPECT_EQ(writer.error().code, ErrorCode::kIo);
   EXPECT_TRUE(fs::exists(folder_.path() / "thesis/chapter.txt"));
+}
+
+/// A camera's recording in the native format, as a converter puts it together: every name in it is
+/// one that the writer uses, too.
+std::string recording(const test::TemporaryFolder& folder, std::string_view generator_line = {}) {
+  folder.write("flight/rgb/000000.jpg", "what can never be seen again");
+  folder.write("flight/rgb.txt", "1.0 rgb/000000.jpg\n");
+  std::string text = fmt::format("[flight]\nformat_version = 1\n{}", generator_line);
+  folder.write("flight/flight.toml", text);
+  return text;
+}
+
+TEST_F(FlightWriterTest, ARecordingIsNeverReplaced) {
+  const std::string text = recording(folder_);
+  const auto writer = create(small_description());
+  ASSERT_FALSE(writer);
+  EXPECT_EQ(writer.error().code, ErrorCode::kIo);
+  EXPECT_EQ(writer.error().message,
+            target().string() +
+                ": holds a flight that may be a recording, so it is left alone; name a new folder");
+  // Nor by a recorder, which has no generator either.
+  EXPECT_THAT(message_of(FlightWriter::create(target(), small_description(), "recorded")),
+              HasSubstr("may be a recording"));
+  EXPECT_EQ(test::content_of(target() / "flight.toml"), text);
+  EXPECT_EQ(test::content_of(target() / "rgb/000000.jpg"), "what can never be seen again");
+  EXPECT_THAT(names(), testing::ElementsAre("flight"));
+}
+
+TEST_F(FlightWriterTest, AnotherProgramsFlightAndOneThatCannotBeReadAreLeftAlone) {
+  recording(folder_, "generator = \"another test\"\n");
+  EXPECT_THAT(message_of(create(small_description())),
+              HasSubstr("flight: holds a flight that was made by another test, so it is left"));
+  recording(folder_, "generator = \"a test\"\nwings = 2\n");
+  EXPECT_THAT(message_of(create(small_description())),
+              AllOf(HasSubstr("flight: is left alone; name a new folder ("), HasSubstr("wings")));
+  EXPECT_TRUE(fs::exists(target() / "rgb/000000.jpg"));
+  recording(folder_, "generator = \"a test\"\n");
+  EXPECT_TRUE(create(small_description()));
+}
+
+TEST_F(FlightWriterTest, ARecordingThatArrivesWhileTheFlightIsWrittenStays) {
+  {
+    auto writer = create(small_description());
+    ASSERT_TRUE(writer->write(*encode_frame(small_frame(1.0))));
+    recording(folder_);
+    const auto finished = writer->finish({}, {});
+    ASSERT_FALSE(finished);
+    EXPECT_EQ(finished.error().code, ErrorCode::kIo);
+    EXPECT_THAT(finished.error().message, HasSubstr("may be a recording, so it is left alone"));
+  }
+  EXPECT_EQ(test::content_of(target() / "rgb/000000.jpg"), "what can never be seen again");
+  EXPECT_THAT(names(), testing::ElementsAre("flight"));
 }
 
 TEST_F(FlightWriterTest, AFolderWhoseParentIsMissingIsRefused) {

@@ -207,6 +207,26 @@ TEST_F(SimulatedFlightTest, LeavesNothingBehindWhenItIsStopped) {
   EXPECT_TRUE(fs::is_empty(output));
 }
 
+TEST_F(SimulatedFlightTest, ReplacesAFlightThatItHasMadeAndNoRecording) {
+  const auto fly = [&] {
+    return simulate_flight(street_map(), short_flight(), small_images(), output / "f", {});
+  };
+  ASSERT_TRUE(fly());
+  const auto again = fly();
+  ASSERT_TRUE(again.has_value()) << again.error().message;
+  const fs::path toml = output / "f" / "flight.toml";
+  const std::string generator = "generator = \"nadir simulate\"\n";
+  std::string text = read_text_file(toml).value();
+  ASSERT_NE(text.find(generator), std::string::npos);
+  // What remains could have been recorded by a camera.
+  ASSERT_TRUE(write_text_file(toml, text.erase(text.find(generator), generator.size())));
+  const auto files = files_of(output / "f");
+  const auto over_recording = fly();
+  ASSERT_FALSE(over_recording.has_value());
+  EXPECT_THAT(over_recording.error().message, HasSubstr("may be a recording"));
+  EXPECT_EQ(files_of(output / "f"), files);
+}
+
 TEST_F(SimulatedFlightTest, RefusesAPathThatStartsOffTheMap) {
   const Route route{.name = "lost", .waypoints_in_enu_m = {{-5.0, 28.0}, {42.0, 28.0}}};
   const FlownPath path{"lost", plan_flight(route, 1).value(), std::nullopt, 4.0};
