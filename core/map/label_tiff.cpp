@@ -132,14 +132,6 @@ void describe_classes(GDALRasterBand& band) {
   }
 }
 
-/// Another no-data value would take a class away without a word. @errors kMalformed.
-Result<void> check_no_data(GDALDataset& dataset, const std::string& name) {
-  const std::optional<double> no_data = no_data_of(dataset);
-  if (!no_data || *no_data == double{kUnclassified}) return {};
-  return fail(ErrorCode::kMalformed, "{}: its no-data value is {} and not {}, import it anew", name,
-              *no_data, static_cast<int>(kUnclassified));
-}
-
 Result<void> check_ids(const Raster<ClassId>& labels, const std::string& name) {
   const auto& values = labels.values();
   const auto bad = std::find_if(values.begin(), values.end(), [](ClassId id) {
@@ -153,6 +145,13 @@ Result<void> check_ids(const Raster<ClassId>& labels, const std::string& name) {
 }
 
 }  // namespace
+
+Result<void> check_no_data(GDALDataset& dataset, const std::string& name) {
+  const std::optional<double> no_data = no_data_of(dataset);
+  if (!no_data || *no_data == double{kUnclassified}) return {};
+  return fail(ErrorCode::kMalformed, "{}: its no-data value is {} and not {}, import it anew", name,
+              *no_data, static_cast<int>(kUnclassified));
+}
 
 Result<LabelTiff> read_label_tiff(const fs::path& path, const ProjectPlane& plane) {
   const GdalMessages messages;

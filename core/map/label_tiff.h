@@ -3,10 +3,13 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <string>
 
 #include "core/base/result.h"
 #include "core/geo/project_plane.h"
 #include "core/map/overhead_map_file.h"
+
+class GDALDataset;
 
 namespace nadir {
 
@@ -32,6 +35,9 @@ struct LabelTiff {
 /// Place only, without the labels.
 [[nodiscard]] Result<TiffPlace> read_tiff_place(const std::filesystem::path& path,
                                                 const ProjectPlane& plane);
+/// Whether the labels' no-data value, where they have one, is kUnclassified: another one would take a
+/// class away without a word. @errors kMalformed.
+[[nodiscard]] Result<void> check_no_data(GDALDataset& labels, const std::string& name);
 /// @errors kNotFound, kMalformed: as above.
 [[nodiscard]] Result<ColourRaster> read_image_tiff(const std::filesystem::path& path);
 

@@ -175,6 +175,15 @@ std::optional<MapGrid> own_grid(const Placement& placement) {
   const GdalMessages messages;
   const auto plane = plane_of(crs_from_wkt(placement.crs_wkt));
   if (!plane) return std::nullopt;
+  // 0.31 ppm of scale and 0.05 degrees of convergence, which a map's centre may have.
+  constexpr double kFarthestCentreMetres = 5e3;
+  const Eigen::Vector2d size = size_of(placement);
+  const Eigen::Vector2d centre_in_enu = affine * (0.5 * size);
+  if (!(centre_in_enu.norm() <= kFarthestCentreMetres) ||
+      !(size.maxCoeff() * cell_m <= kMaxSpanMetres) ||
+      !(size.prod() <= static_cast<double>(kMaxMapCells))) {
+    return std::nullopt;
+  }
   return MapGrid{*plane, cell_m, affine.offset, placement.width, placement.height};
 }
 

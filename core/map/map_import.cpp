@@ -193,7 +193,9 @@ Result<ImportedMap> import_map(const fs::path& path,
     if (!wanted) return forward_error(wanted);
     is_taken_cell_by_cell = wanted->metres_per_cell == anchored->metres_per_cell;
     grid = std::move(*wanted);
-  } else if (auto own = own_grid(*placement); own && !options.metres_per_cell) {
+  } else if (auto own = own_grid(*placement);
+             own &&
+             options.metres_per_cell.value_or(own->metres_per_cell) == own->metres_per_cell) {
     is_taken_cell_by_cell = true;
     grid = std::move(*own);
   } else {

@@ -29,7 +29,9 @@ struct MapGrid {
 [[nodiscard]] Placement placement_on(const MapGrid& grid);
 
 /// The grid of a raster that is one of ours already: north-up square cells on a plane as
-/// ProjectPlane::wkt describes it, such as the labels of a map package. Nothing where it is not.
+/// ProjectPlane::wkt describes it, whose origin is at most 5 km from the raster's centre, such as
+/// the labels of a map package. Nothing where it is not: farther out the plane's metres are none,
+/// and the raster is warped like any other.
 [[nodiscard]] std::optional<MapGrid> own_grid(const Placement& placement);
 
 struct PlannedGrid {

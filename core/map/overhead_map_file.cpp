@@ -196,9 +196,6 @@ Result<void> write_overhead_map(const OverheadMap& map,
                 (image->width() == map.labels.width() && image->height() == map.labels.height()));
   auto staged = StagedOutput::folder(package, kSettingsFile);
   if (!staged) return forward_error(staged);
-  if (const auto kept = carry_over_other_files(package, staged->path()); !kept) {
-    return forward_error(kept);
-  }
   if (const auto done = write_label_tiff(map, staged->path() / kLabelsFile); !done) {
     return forward_error(done);
   }
@@ -208,6 +205,10 @@ Result<void> write_overhead_map(const OverheadMap& map,
   }
   const auto done = write_text_file(staged->path() / kSettingsFile, settings_text(map, provenance));
   if (!done) return forward_error(done);
+  // Last, for labels take minutes to write, and a labelling document is saved meanwhile.
+  if (const auto kept = carry_over_other_files(package, staged->path()); !kept) {
+    return forward_error(kept);
+  }
   return staged->commit();
 }
 
