@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/angle.h"
 #include "core/base/require.h"
+#include "core/eval/trajectory_error.h"
 
 namespace nadir {
 namespace {
@@ -71,27 +71,30 @@ double chi_square_quantile(double probability, double degrees_of_freedom) {
   return boost::math::quantile(boost::math::chi_squared(degrees_of_freedom), probability);
 }
 
+StepConsistency assess_step(const Eigen::Vector3d& error, const Eigen::Matrix3d& covariance) {
+  static const double ellipse_limit = chi_square_quantile(0.95, 2.0);
+  const Eigen::Vector2d position_error = error.head<2>();
+  const Eigen::Matrix2d position_covariance = covariance.topLeftCorner<2, 2>();
+  const auto squared = normalised_error_squared(position_error, position_covariance);
+  return {.nees = normalised_error_squared(error, covariance),
+          .is_inside_95 = squared && *squared <= ellipse_limit};
+}
+
 Consistency assess_consistency(std::span<const EvaluatedStep> steps) {
-  const double ellipse_limit = chi_square_quantile(0.95, 2.0);
   Consistency result;
   double nees_sum = 0.0;
   std::size_t inside = 0;
   for (const EvaluatedStep& step : steps) {
     if (!step.truth_in_enu) continue;
-    const Rigid2& truth = *step.truth_in_enu;
-    const Eigen::Vector3d error(step.estimate_in_enu.x_m - truth.x_m,
-                                step.estimate_in_enu.y_m - truth.y_m,
-                                wrap_rad(step.estimate_in_enu.yaw_rad - truth.yaw_rad));
-    if (const auto nees = normalised_error_squared(error, step.covariance)) {
-      nees_sum += *nees;
+    const StepConsistency found =
+        assess_step(pose_error(step.estimate_in_enu, *step.truth_in_enu), step.covariance);
+    if (found.nees) {
+      nees_sum += *found.nees;
       ++result.nees_steps;
     } else {
       ++result.excluded_steps;
     }
-    const Eigen::Vector2d position_error = error.head<2>();
-    const Eigen::Matrix2d position_covariance = step.covariance.topLeftCorner<2, 2>();
-    const auto squared = normalised_error_squared(position_error, position_covariance);
-    inside += squared && *squared <= ellipse_limit ? 1U : 0U;
+    inside += found.is_inside_95 ? 1U : 0U;
     ++result.coverage_steps;
   }
   if (result.nees_steps > 0) {

@@ -52,6 +52,16 @@ struct Consistency {
 /// @param probability  In (0, 1).   @param degrees_of_freedom  Above 0.
 [[nodiscard]] double chi_square_quantile(double probability, double degrees_of_freedom);
 
+/// Whether one estimate knew how wrong it was.
+struct StepConsistency {
+  std::optional<double> nees;  ///< Nothing where normalised_error_squared() gives nothing.
+  bool is_inside_95 = false;   ///< The true position is inside the 95 % ellipse: d^2 <= 5.991. A
+                               ///< singular ellipse has no inside.
+};
+/// @param error  Estimate minus truth, as pose_error() gives it.
+[[nodiscard]] StepConsistency assess_step(const Eigen::Vector3d& error,
+                                          const Eigen::Matrix3d& covariance);
+
 /// NEES with bounds and the coverage of the 95 % position ellipse: the share with d^2 <=
 /// chi2_2(0.95) = 5.991, where d is the Mahalanobis distance. See Bar-Shalom, Li & Kirubarajan
 /// 2001, section 5.4.

@@ -44,6 +44,11 @@ std::optional<RelativeError> relative_error(std::span<const PosePair> pairs) {
 
 }  // namespace
 
+Eigen::Vector3d pose_error(const Rigid2& estimate_in_enu, const Rigid2& truth_in_enu) {
+  return {estimate_in_enu.x_m - truth_in_enu.x_m, estimate_in_enu.y_m - truth_in_enu.y_m,
+          wrap_rad(estimate_in_enu.yaw_rad - truth_in_enu.yaw_rad)};
+}
+
 double order_statistic(std::span<const double> sorted, double share) {
   NADIR_REQUIRE(!sorted.empty() && share >= 0.0 && share <= 1.0);
   const double position = share * static_cast<double>(sorted.size() - 1);
@@ -88,13 +93,12 @@ std::optional<PoseErrorSummary> summarise_pose_errors(std::span<const PosePair> 
   if (pairs.empty()) return std::nullopt;
   std::vector<double> position_m, orientation_rad, longitudinal_m, lateral_m;
   for (const PosePair& pair : pairs) {
-    const Eigen::Vector2d error_in_enu =
-        pair.estimate_in_enu.translation_m() - pair.truth_in_enu.translation_m();
+    const Eigen::Vector3d error = pose_error(pair.estimate_in_enu, pair.truth_in_enu);
+    const Eigen::Vector2d error_in_enu = error.head<2>();
     const Eigen::Vector2d error_in_body =
         Rigid2{0.0, 0.0, -pair.truth_in_enu.yaw_rad} * error_in_enu;
     position_m.push_back(error_in_enu.norm());
-    orientation_rad.push_back(
-        std::abs(wrap_rad(pair.estimate_in_enu.yaw_rad - pair.truth_in_enu.yaw_rad)));
+    orientation_rad.push_back(std::abs(error.z()));
     longitudinal_m.push_back(error_in_body.x());
     lateral_m.push_back(error_in_body.y());
   }

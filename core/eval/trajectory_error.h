@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -16,6 +17,10 @@ struct PosePair {
   Rigid2 estimate_in_enu;
   Rigid2 truth_in_enu;
 };
+
+/// Estimate minus truth: x, y (m, east and north in enu), yaw wrapped into (-pi, pi] (rad). NaN where
+/// a pose is.
+[[nodiscard]] Eigen::Vector3d pose_error(const Rigid2& estimate_in_enu, const Rigid2& truth_in_enu);
 
 /// Statistics of the size |e| of one kind of error, in the unit of the error (mean_square: its
 /// square).

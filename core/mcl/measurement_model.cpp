@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/require.h"
+#include "core/mcl/cell_agreement.h"
 
 namespace nadir {
 namespace {
@@ -182,20 +183,7 @@ void apply_likelihood(ParticleSet& particles,
 std::optional<double> agreement(const SemanticTopview& seen,
                                 const OverheadMap& map,
                                 const Rigid2& enu_from_body) {
-  std::size_t known = 0;
-  std::size_t same = 0;
-  for (ClassId id = 0; id < kClassCount; ++id) {
-    for (const TopviewCell& cell : seen.of_class(id)) {
-      const Eigen::Vector2d centre_in_body_m =
-          Eigen::Vector2d(cell.forward + 0.5, cell.left + 0.5) * seen.metres_per_cell;
-      const ClassId there = map.class_at(enu_from_body * centre_in_body_m);
-      if (there == kUnclassified) continue;
-      ++known;
-      if (there == id) ++same;
-    }
-  }
-  if (known == 0) return std::nullopt;
-  return static_cast<double>(same) / static_cast<double>(known);
+  return cell_agreement(seen, map, enu_from_body).share();
 }
 
 }  // namespace nadir

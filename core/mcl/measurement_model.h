@@ -73,7 +73,7 @@ void apply_likelihood(ParticleSet& particles,
                       const LocaliserOptions& options);
 
 /// Share of topview cells on classified ground whose class is the map's there; nothing where no
-/// cell is on such ground.
+/// cell is on such ground. See cell_agreement() for which cells and classes these are.
 [[nodiscard]] std::optional<double> agreement(const SemanticTopview& seen,
                                               const OverheadMap& map,
                                               const Rigid2& enu_from_body);

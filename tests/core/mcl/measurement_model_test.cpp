@@ -8,6 +8,7 @@
 #include "core/base/parallel.h"
 #include "core/mcl/error_surface.h"
 #include "tests/support/drawn_map.h"
+#include "tests/support/made_topview.h"
 #include "tests/support/scenery.h"
 
 namespace nadir {
@@ -26,18 +27,6 @@ ParticleSet equal_particles(const std::vector<Rigid2>& poses) {
     particles.weight[i] = 1.0 / static_cast<double>(poses.size());
   }
   return particles;
-}
-
-SemanticTopview topview_of(const std::vector<std::pair<TopviewCell, ClassId>>& cells,
-                           double metres_per_cell) {
-  SemanticCloud cloud;
-  for (const auto& [cell, id] : cells) {
-    cloud.points_in_level_m.emplace_back(
-        (static_cast<float>(cell.forward) + 0.5F) * static_cast<float>(metres_per_cell),
-        (static_cast<float>(cell.left) + 0.5F) * static_cast<float>(metres_per_cell), 0.0F);
-    cloud.labels.push_back(id);
-  }
-  return build_semantic_topview(cloud, metres_per_cell).value();
 }
 
 TEST(MapMatcher, CountsMismatchesOfTheThesisByHand) {
