@@ -44,6 +44,8 @@ function(nadir_add_module path)
   endforeach()
   target_link_libraries(${name} PUBLIC ${MODULE_PUBLIC_LIBRARIES} PRIVATE ${MODULE_PRIVATE_LIBRARIES})
   nadir_warnings(${name})
+  # Several sources in one: headers are read once for all of them.
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ${NADIR_UNITE_SOURCES} UNITY_BUILD_BATCH_SIZE 6)
   if(path MATCHES "^core/")  # what is installed as nadir::core
     set_property(GLOBAL APPEND PROPERTY NADIR_MODULES ${name})
   endif()

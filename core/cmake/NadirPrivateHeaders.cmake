@@ -3,9 +3,7 @@
 set(NADIR_PRIVATE_HEADERS
   core/base/bystanders.h
   core/base/durability.h
-  core/base/hash.h
   core/eval/report_keys.h
-  core/flight/colour_image.h
   core/flight/flight_formats.h
   core/flight/flight_settings.h
   core/flight/frame_image.h
@@ -21,8 +19,11 @@ set(NADIR_PRIVATE_HEADERS
   core/map/map_warp.h
   core/map/squared_distances.h
   core/mcl/pose_bins.h
+  core/run/earlier_run.h
   core/run/run_blobs.h
   core/run/run_connection.h
+  core/run/run_database.h
+  core/run/run_limits.h
   core/run/run_lock.h
   core/run/run_row.h
   core/run/run_schema.h
