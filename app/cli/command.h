@@ -23,6 +23,8 @@ int run_demo(std::span<const std::string> arguments, std::ostream& out, std::ost
 int run_simulate(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
 int run_localise(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
 int run_evaluate(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
+int run_figure(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
+int run_report(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
 int run_map(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
 int run_flight(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
 

@@ -17,8 +17,9 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::vector<std::vector<std::string>> every_command() {
-  return {{},      {"demo"},        {"simulate"},      {"localise"}, {"evaluate"},
-          {"map"}, {"map", "info"}, {"map", "import"}, {"flight"},   {"flight", "info"}};
+  return {{},         {"demo"},        {"simulate"},      {"localise"}, {"evaluate"},
+          {"map"},    {"map", "info"}, {"map", "import"}, {"flight"},   {"flight", "info"},
+          {"figure"}, {"report"}};
 }
 
 std::string help_of(std::vector<std::string> command) {

@@ -8,6 +8,8 @@
 #include <stdexcept>
 
 #include "core/base/require.h"
+#include "widgets/canvas/page_lines.h"
+#include "widgets/canvas/printable.h"
 
 namespace nadir {
 namespace {
@@ -98,7 +100,8 @@ TextExtent measure_text(const std::string& line, const TextStyle& style) {
   cairo_text_extents_t hanging{};
   cairo_text_extents(context.get(), "H", &capital);
   cairo_text_extents(context.get(), "g", &hanging);
-  return {advance_px(context.get(), line), -capital.y_bearing, hanging.height + hanging.y_bearing};
+  return {advance_px(context.get(), printable(line)), -capital.y_bearing,
+          hanging.height + hanging.y_bearing};
 }
 
 struct CairoCanvas::Implementation {
@@ -109,6 +112,9 @@ struct CairoCanvas::Implementation {
 
   [[nodiscard]] cairo_t* page() const { return context.get(); }
   [[nodiscard]] double flipped(double y_up) const { return height - y_up; }
+  [[nodiscard]] Eigen::AlignedBox2d surroundings() const {
+    return surroundings_of_page(width, height);
+  }
 
   void trace(std::span<const Eigen::Vector2d> points) const {
     cairo_new_path(page());
@@ -142,8 +148,8 @@ std::unique_ptr<CairoCanvas> CairoCanvas::for_pdf(
       append, &made->document, width * points_per_px, height * points_per_px));
   made->context = context_on(made->surface);
   cairo_surface_t* const surface = made->surface.get();
-  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, title.c_str());
-  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_SUBJECT, subject.c_str());
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, printable(title).c_str());
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_SUBJECT, printable(subject).c_str());
   // The same figure is the same file whenever it is drawn, so no clock is asked.
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   cairo_scale(made->page(), points_per_px, points_per_px);
@@ -151,27 +157,31 @@ std::unique_ptr<CairoCanvas> CairoCanvas::for_pdf(
 }
 
 void CairoCanvas::stroke(std::span<const Eigen::Vector2d> points, const StrokeStyle& style) {
-  if (points.size() < 2) return;
   cairo_t* const page = implementation_->page();
-  implementation_->trace(points);
   set_colour(page, style.colour);
   cairo_set_line_width(page, style.width_px);
-  cairo_set_dash(page, style.dashes_px.data(), static_cast<int>(style.dashes_px.size()), 0.0);
-  cairo_stroke(page);
+  for (const LinePiece& piece : line_inside(points, implementation_->surroundings())) {
+    implementation_->trace(piece.points);
+    cairo_set_dash(page, style.dashes_px.data(), static_cast<int>(style.dashes_px.size()),
+                   piece.begin);
+    cairo_stroke(page);
+  }
 }
 
 void CairoCanvas::fill(std::span<const Eigen::Vector2d> outline, Rgba colour) {
-  if (outline.size() < 3) return;
+  const auto area = area_inside(outline, implementation_->surroundings());
+  if (area.empty()) return;
   cairo_t* const page = implementation_->page();
-  implementation_->trace(outline);
+  implementation_->trace(area);
   cairo_close_path(page);
   set_colour(page, colour);
   cairo_fill(page);
 }
 
 void CairoCanvas::text(const Eigen::Vector2d& point,
-                       const std::string& line,
+                       const std::string& raw_line,
                        const TextStyle& style) {
+  const std::string line = printable(raw_line);
   cairo_t* const page = implementation_->page();
   cairo_save(page);
   set_font(page, style);

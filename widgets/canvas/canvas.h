@@ -29,7 +29,7 @@ struct PageRect {
 };
 
 struct StrokeStyle {
-  Rgba colour;
+  Rgba colour = {};
   double width_px = 1.0;
   std::vector<double> dashes_px = {};  ///< On, off, on, off ...; empty for a whole line.
 };
@@ -43,7 +43,7 @@ struct TextStyle {
   FontFace face = FontFace::kText;
   bool is_bold = false;
   double size_px = 12.0;  ///< Of the em.
-  Rgba colour;
+  Rgba colour = {};
   TextAlign align = TextAlign::kLeft;
   double rotation_deg = 0.0;  ///< Counter-clockwise about the point.
 };
@@ -61,7 +61,7 @@ class Canvas {
  public:
   virtual ~Canvas() = default;
 
-  /// An open line; its ends are flat, its corners round.
+  /// An open line; its ends are flat, its corners round. It has a gap where points are not finite.
   virtual void stroke(std::span<const Eigen::Vector2d> points, const StrokeStyle& style) = 0;
   /// The inside of a closed outline (even-odd where it crosses itself).
   virtual void fill(std::span<const Eigen::Vector2d> outline, Rgba colour) = 0;

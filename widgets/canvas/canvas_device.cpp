@@ -102,6 +102,7 @@ void CanvasDevice::draw_on(Canvas& canvas, int width, int height) {
   this->Geometry[1] = height;
   page_from_item_.setIdentity();
   saved_.clear();
+  is_clipping_ = false;  // a clip that was left open went with its canvas
 }
 
 std::vector<Eigen::Vector2d> CanvasDevice::on_page(const float* points, int n) const {
@@ -408,6 +409,7 @@ void CanvasDevice::PopMatrix() {
 void CanvasDevice::SetClipping(int* box) {
   clip_ = {static_cast<double>(box[0]), static_cast<double>(box[1]), static_cast<double>(box[2]),
            static_cast<double>(box[3])};
+  if (is_clipping_) EnableClipping(true);  // at once, as VTK's own device does
 }
 
 void CanvasDevice::EnableClipping(bool enable) {

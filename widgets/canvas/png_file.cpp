@@ -43,9 +43,12 @@ std::string fact_chunks(const PngFacts& facts) {
   std::string chunks;
   if (facts.dpi > 0.0) {
     constexpr double kInchesPerMetre = 1.0 / 0.0254;
-    const auto per_metre =
+    constexpr char kMetres = 1;
+    std::string density =
         big_endian(static_cast<std::uint32_t>(std::lround(facts.dpi * kInchesPerMetre)));
-    chunks += chunk("pHYs", per_metre + per_metre + '\x01');
+    density += density;
+    density += kMetres;
+    chunks += chunk("pHYs", density);
   }
   for (const auto& [keyword, text] : facts.texts) {
     NADIR_REQUIRE(!keyword.empty() && keyword.size() < 80);
@@ -113,6 +116,10 @@ Result<std::map<std::string, std::string>> parse_png_texts(std::string_view byte
 }
 
 Result<std::map<std::string, std::string>> read_png_texts(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    return fail(ErrorCode::kMalformed, "{}: is a folder and not a PNG image", path.string());
+  }
   std::ifstream file(path, std::ios::binary);
   if (!file) return fail(ErrorCode::kNotFound, "{}: cannot be read", path.string());
   const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

@@ -5,16 +5,20 @@
 #include <vtkBase64Utilities.h>
 
 #include <array>
+#include <string_view>
+#include <utility>
 
 #include "core/base/require.h"
+#include "widgets/canvas/page_lines.h"
 #include "widgets/canvas/png_file.h"
+#include "widgets/canvas/printable.h"
 
 namespace nadir {
 namespace {
 
 std::string escaped(const std::string& text) {
   std::string out;
-  for (const char letter : text) {
+  for (const char letter : printable(text)) {
     switch (letter) {
       case '&':
         out += "&amp;";
@@ -29,10 +33,7 @@ std::string escaped(const std::string& text) {
         out += "&quot;";
         break;
       default:
-        // XML 1.0 has no way to write the other control characters.
-        if (static_cast<unsigned char>(letter) >= 0x20 || letter == '\n' || letter == '\t') {
-          out += letter;
-        }
+        out += letter;
     }
   }
   return out;
@@ -67,7 +68,7 @@ std::string base64(const std::string& bytes) {
 
 SvgCanvas::SvgCanvas(
     int width, int height, double dpi, const std::string& title, const std::string& metadata)
-    : height_(height) {
+    : width_(width), height_(height) {
   // The unit of CSS is 1/96 inch; the view box keeps our own pixels inside.
   constexpr double kCssPixelsPerInch = 96.0;
   svg_ = fmt::format(
@@ -89,21 +90,26 @@ std::string SvgCanvas::path_data(std::span<const Eigen::Vector2d> points) const 
 }
 
 void SvgCanvas::stroke(std::span<const Eigen::Vector2d> points, const StrokeStyle& style) {
-  if (points.size() < 2) return;
-  svg_ += "<polyline fill=\"none\" stroke-linejoin=\"round\"" + paint("stroke", style.colour) +
-          " stroke-width=\"" + number(style.width_px) + "\"";
-  if (!style.dashes_px.empty()) {
-    std::string dashes;
-    for (const double dash : style.dashes_px) dashes += (dashes.empty() ? "" : " ") + number(dash);
-    svg_ += " stroke-dasharray=\"" + dashes + "\"";
+  std::string look = "<polyline fill=\"none\" stroke-linejoin=\"round\"" +
+                     paint("stroke", style.colour) + " stroke-width=\"" + number(style.width_px) +
+                     "\"";
+  std::string dashes;
+  for (const double dash : style.dashes_px) dashes += (dashes.empty() ? "" : " ") + number(dash);
+  if (!dashes.empty()) look += " stroke-dasharray=\"" + dashes + "\"";
+  for (const LinePiece& piece : line_inside(points, surroundings_of_page(width_, height_))) {
+    svg_ += look;
+    if (!dashes.empty() && piece.begin > 0.0) {
+      svg_ += " stroke-dashoffset=\"" + number(piece.begin) + "\"";
+    }
+    svg_ += " points=\"" + path_data(piece.points) + "\"/>\n";
   }
-  svg_ += " points=\"" + path_data(points) + "\"/>\n";
 }
 
 void SvgCanvas::fill(std::span<const Eigen::Vector2d> outline, Rgba colour) {
-  if (outline.size() < 3) return;
+  const auto area = area_inside(outline, surroundings_of_page(width_, height_));
+  if (area.empty()) return;
   svg_ += "<polygon fill-rule=\"evenodd\"" + paint("fill", colour) + " points=\"" +
-          path_data(outline) + "\"/>\n";
+          path_data(area) + "\"/>\n";
 }
 
 void SvgCanvas::text(const Eigen::Vector2d& point,
@@ -159,6 +165,25 @@ std::string SvgCanvas::finish() {
   NADIR_REQUIRE(open_clips_ == 0);
   svg_ += "</svg>\n";
   return std::move(svg_);
+}
+
+std::string svg_metadata(const std::string& svg) {
+  constexpr std::string_view kBegin = "<metadata>";
+  const std::size_t begin = svg.find(kBegin);
+  if (begin == std::string::npos) return {};
+  const std::size_t end = svg.find("</metadata>", begin);
+  if (end == std::string::npos) return {};
+  std::string text = svg.substr(begin + kBegin.size(), end - begin - kBegin.size());
+  // The ampersand last, or "&amp;lt;" would become "<".
+  constexpr std::array<std::pair<std::string_view, char>, 4> kEscapes{
+      {{"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&amp;", '&'}}};
+  for (const auto& [escape, letter] : kEscapes) {
+    for (std::size_t at = text.find(escape); at != std::string::npos;
+         at = text.find(escape, at + 1)) {
+      text.replace(at, escape.size(), 1, letter);
+    }
+  }
+  return text;
 }
 
 }  // namespace nadir

@@ -29,10 +29,13 @@ class SvgCanvas : public Canvas {
  private:
   [[nodiscard]] std::string path_data(std::span<const Eigen::Vector2d> points) const;
 
-  int height_ = 0;
+  int width_ = 0, height_ = 0;
   int clips_ = 0;  ///< Made so far; their names are numbers.
   int open_clips_ = 0;
   std::string svg_;
 };
+
+/// The text of the first element `metadata` of an SVG that we wrote; empty where there is none.
+[[nodiscard]] std::string svg_metadata(const std::string& svg);
 
 }  // namespace nadir

@@ -4,6 +4,7 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cstring>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -11,6 +12,22 @@
 #include "core/base/require.h"
 
 namespace nadir {
+namespace {
+
+/// Colours apart from opacity again: drawing onto nothing multiplies them, and averaging must see them so.
+void divide_by_alpha(Raster<Rgba>& pixels) {
+  for (Rgba& pixel : pixels.values()) {
+    if (pixel.alpha == 255) continue;
+    const auto divided = [alpha = int{pixel.alpha}](int channel) {
+      return alpha == 0
+                 ? std::uint8_t{0}
+                 : static_cast<std::uint8_t>(std::min(255, (channel * 255 + alpha / 2) / alpha));
+    };
+    pixel = {divided(pixel.red), divided(pixel.green), divided(pixel.blue), pixel.alpha};
+  }
+}
+
+}  // namespace
 
 Result<std::unique_ptr<OffscreenRenderer>> OffscreenRenderer::create() {
   auto context = OffscreenContext::create();
@@ -61,6 +78,7 @@ Result<Raster<Rgba>> OffscreenRenderer::render(vtkRenderer& scene,
     small = drawn;
   }
   cv::flip(small, out, 0);  // OpenGL's rows begin at the bottom
+  divide_by_alpha(pixels);
   return pixels;
 }
 

@@ -2,22 +2,66 @@
 #include "widgets/views/map_scene.h"
 
 #include <vtkCamera.h>
+#include <vtkCameraPass.h>
+#include <vtkOpaquePass.h>
+#include <vtkPropCollection.h>
+#include <vtkRenderPassCollection.h>
+#include <vtkSequencePass.h>
+#include <vtkSmartPointer.h>
+#include <vtkTranslucentPass.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace nadir {
 
 MapScene::MapScene(const Eigen::Vector2d& scene_origin_in_enu_m)
     : scene_origin_in_enu_m_(scene_origin_in_enu_m) {
-  renderer_->SetBackground(0.0, 0.0, 0.0);
-  renderer_->SetBackgroundAlpha(0.0);
+  set_background({0, 0, 0}, true);
   renderer_->GetActiveCamera()->ParallelProjectionOn();
+  // VTK's own way with what is translucent mixes colours without regard to what lies on top; here it is blended in the
+  // order in which the views were made.
+  vtkNew<vtkRenderPassCollection> steps;
+  vtkNew<vtkOpaquePass> opaque;
+  vtkNew<vtkTranslucentPass> translucent;
+  steps->AddItem(opaque);
+  steps->AddItem(translucent);
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(steps);
+  vtkNew<vtkCameraPass> camera_pass;
+  camera_pass->SetDelegatePass(sequence);
+  renderer_->SetPass(camera_pass);
 }
 
 Eigen::Vector3d MapScene::scene_from_enu(const Eigen::Vector2d& point_in_enu_m,
                                          MapLayer layer) const {
   const Eigen::Vector2d point = point_in_enu_m - scene_origin_in_enu_m_;
   return {point.x(), point.y(), static_cast<double>(layer)};
+}
+
+void MapScene::add(vtkProp& prop, MapLayer layer) {
+  const auto above = std::upper_bound(layers_.begin(), layers_.end(), layer);
+  const auto below = static_cast<int>(above - layers_.begin());
+  layers_.insert(above, layer);
+  // The renderer must take the prop in itself; only then it is moved down to its place.
+  renderer_->AddViewProp(&prop);
+  vtkPropCollection* const props = renderer_->GetViewProps();
+  if (below + 1 == props->GetNumberOfItems()) return;
+  const vtkSmartPointer<vtkProp> kept = &prop;
+  props->RemoveItem(&prop);
+  props->InsertItem(below - 1, &prop);  // after the item of that number
+}
+
+void MapScene::remove(vtkProp& prop) {
+  const int place = renderer_->GetViewProps()->IsItemPresent(&prop);  // from 1; 0 where it is not
+  if (place == 0) return;
+  layers_.erase(layers_.begin() + (place - 1));
+  renderer_->RemoveViewProp(&prop);
+}
+
+void MapScene::set_background(Rgba colour, bool is_transparent) {
+  renderer_->SetBackground(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+  renderer_->SetBackgroundAlpha(is_transparent ? 0.0 : 1.0);
 }
 
 void MapScene::look(const MapCamera& camera, double height_px) {

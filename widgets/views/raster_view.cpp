@@ -11,16 +11,22 @@ namespace nadir {
 RasterView::RasterView(MapScene& scene, MapLayer layer) : scene_(scene), layer_(layer) {
   mapper_->SetInputConnection(quad_->GetOutputPort());
   actor_->SetMapper(mapper_);
-  actor_->SetTexture(texture_);
   actor_->GetProperty()->LightingOff();
   // Layers are drawn in the order in which they were added, through each other's holes.
   actor_->ForceTranslucentOn();
-  texture_->RepeatOff();
-  texture_->EdgeClampOn();
-  scene_.renderer().AddActor(actor_);
+  scene_.add(*actor_, layer_);
 }
 
-RasterView::~RasterView() { scene_.renderer().RemoveActor(actor_); }
+RasterView::~RasterView() { scene_.remove(*actor_); }
+
+void RasterView::make_texture(bool is_smooth) {
+  texture_ = vtkSmartPointer<vtkTexture>::New();
+  texture_->RepeatOff();
+  texture_->EdgeClampOn();
+  texture_->SetInterpolate(is_smooth ? 1 : 0);
+  texture_->SetMipmap(is_smooth);
+  actor_->SetTexture(texture_);
+}
 
 void RasterView::show(const Raster<Rgba>& pixels,
                       const Rigid2& enu_from_corner,
@@ -28,9 +34,11 @@ void RasterView::show(const Raster<Rgba>& pixels,
                       bool is_smooth) {
   NADIR_REQUIRE(!pixels.empty());
   size_px_ = {pixels.width(), pixels.height()};
+  // A texture that was smooth once stays it, whatever VTK is told.
+  if (texture_ == nullptr || (texture_->GetInterpolate() != 0) != is_smooth) {
+    make_texture(is_smooth);
+  }
   texture_->SetInputData(vtk_image_of(pixels));
-  texture_->SetInterpolate(is_smooth ? 1 : 0);
-  texture_->SetMipmap(is_smooth);
   place(enu_from_corner, metres_per_pixel);
 }
 

@@ -6,6 +6,7 @@
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkSmartPointer.h>
 #include <vtkTexture.h>
 
 #include "core/geo/rigid2.h"
@@ -35,12 +36,14 @@ class RasterView {
   void set_visible(bool visible);
 
  private:
+  void make_texture(bool is_smooth);
+
   MapScene& scene_;
   MapLayer layer_;
   Eigen::Vector2d size_px_ = Eigen::Vector2d::Zero();
   vtkNew<vtkPlaneSource> quad_;
   vtkNew<vtkPolyDataMapper> mapper_;
-  vtkNew<vtkTexture> texture_;
+  vtkSmartPointer<vtkTexture> texture_;
   vtkNew<vtkActor> actor_;
 };
 

@@ -36,7 +36,7 @@ Rgba table_colour(std::string_view role, ThemeName name) {
       return hex_colour(colours.at(static_cast<std::size_t>(name)));
     }
   }
-  NADIR_REQUIRE(!"themes.csv lacks a role");
+  NADIR_REQUIRE(false);
   return {};
 }
 
@@ -84,9 +84,9 @@ ColourRamp ramp(int colour_map) {
 }  // namespace
 
 const Theme& theme(ThemeName name) {
-  static const std::array<Theme, 2> kThemes = {read_theme(ThemeName::kLight),
-                                               read_theme(ThemeName::kDark)};
-  return kThemes.at(static_cast<std::size_t>(name));
+  static const std::array<Theme, 2> themes = {read_theme(ThemeName::kLight),
+                                              read_theme(ThemeName::kDark)};
+  return themes.at(static_cast<std::size_t>(name));
 }
 
 Rgba with_opacity(Rgba colour, double opacity) {
@@ -101,11 +101,11 @@ Rgba class_colour(ClassId id) {
 }
 
 Rgba value_colour(ValueColours colours, double share) {
-  static const ColourRamp kViridisRamp = ramp(cv::COLORMAP_VIRIDIS);
-  static const ColourRamp kCividisRamp = ramp(cv::COLORMAP_CIVIDIS);
+  static const ColourRamp viridis = ramp(cv::COLORMAP_VIRIDIS);
+  static const ColourRamp cividis = ramp(cv::COLORMAP_CIVIDIS);
   if (std::isnan(share)) return {0, 0, 0, 0};
   const auto index = static_cast<std::size_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
-  return (colours == ValueColours::kViridis ? kViridisRamp : kCividisRamp).at(index);
+  return (colours == ValueColours::kViridis ? viridis : cividis).at(index);
 }
 
 }  // namespace nadir

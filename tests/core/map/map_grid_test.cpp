@@ -141,5 +141,42 @@ TEST(MapGrid, HasASourcesCellsWhereNothingIsWarped) {
   }
 }
 
+/// 40 x 20 cells whose centre is at `centre_in_enu_m` of the plane.
+Placement on_plane(const ProjectPlane& plane, const Eigen::Vector2d& centre_in_enu_m, double cell) {
+  const Eigen::Vector2d corner = centre_in_enu_m + cell * Eigen::Vector2d(-20.0, 10.0);
+  return {north_up(corner, cell, cell), plane.wkt(), 40, 20};
+}
+
+TEST(OwnGrid, IsThatOfARasterWhoseCentreIsNearThePlanesOrigin) {
+  const ProjectPlane plane = ProjectPlane::create({33.45, -83.9}).value();
+  for (const Eigen::Vector2d& centre_m :
+       {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(4'990.0, 0.0), Eigen::Vector2d(-3e3, 3.9e3)}) {
+    const Placement placement = on_plane(plane, centre_m, 0.5);
+    const auto grid = own_grid(placement);
+    ASSERT_TRUE(grid) << centre_m.transpose();
+    EXPECT_EQ(grid->top_left_in_enu_m, placement.crs_from_pixel.offset);
+    EXPECT_EQ(grid->metres_per_cell, 0.5);
+    EXPECT_EQ(grid->width, 40);
+    EXPECT_EQ(grid->height, 20);
+  }
+  for (const Eigen::Vector2d& centre_m :
+       {Eigen::Vector2d(5'010.0, 0.0), Eigen::Vector2d(-3e3, 4.1e3), Eigen::Vector2d(0.0, 4e5),
+        Eigen::Vector2d(0.0, std::nan(""))}) {
+    EXPECT_FALSE(own_grid(on_plane(plane, centre_m, 0.5))) << centre_m.transpose();
+  }
+}
+
+TEST(OwnGrid, KeepsTheLimitsOfEveryMap) {
+  const ProjectPlane plane = ProjectPlane::create({33.45, -83.9}).value();
+  EXPECT_TRUE(own_grid(on_plane(plane, {0.0, 0.0}, 24'900.0)));   // 996 km wide
+  EXPECT_FALSE(own_grid(on_plane(plane, {0.0, 0.0}, 25'100.0)));  // 1004 km
+  Placement large = on_plane(plane, {0.0, 0.0}, 0.001);
+  large.width = 40'000;
+  large.height = 25'000;
+  EXPECT_TRUE(own_grid(large));
+  large.height = 25'001;
+  EXPECT_FALSE(own_grid(large)) << "more than a thousand million cells";
+}
+
 }  // namespace
 }  // namespace nadir

@@ -109,6 +109,23 @@ TEST_F(MapImport, OfAnyPackageIsTheIdentityWhereverItsPlaneLies) {
   const auto finer = import_map(package / "labels.tif", {.metres_per_cell = 0.05});
   ASSERT_TRUE(finer) << error_text(finer);
   EXPECT_EQ(finer->map.metres_per_cell, 0.05);
+  const auto same = import_map(package / "labels.tif", {.metres_per_cell = map.metres_per_cell});
+  ASSERT_TRUE(same) << error_text(same);
+  EXPECT_EQ(same->map.top_left_in_enu_m, map.top_left_in_enu_m) << "the resolution that it has";
+  EXPECT_EQ(same->map.labels, map.labels);
+}
+
+TEST_F(MapImport, ARasterFarFromTheOriginOfItsPlaneGetsAPlaneOfItsOwn) {
+  // A quarter of a degree of longitude from the central meridian, the plane's metres are 7 ppm too
+  // long and its north is off by 0.14 degrees.
+  const RasterFile file = placed("+proj=tmerc +lat_0=33.45 +lon_0=-83.9 +k=1 +datum=WGS84 +units=m",
+                                 -83.65, 33.45, 1.0);
+  const OverheadMap map = imported(file).map;
+  EXPECT_EQ(cells_that_disagree(map, file), 0);
+  const Eigen::Vector2d centre =
+      lon_lat_from_crs(file.crs, *file.crs_from_pixel * Eigen::Vector2d(30.0, 22.5));
+  EXPECT_NEAR(map.plane.origin().longitude_deg, centre.x(), 1e-9);
+  EXPECT_NEAR(map.plane.origin().latitude_deg, centre.y(), 1e-9);
 }
 
 TEST_F(MapImport, ARasterInAnotherTransverseMercatorIsNoPackage) {

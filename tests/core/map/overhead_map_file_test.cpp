@@ -8,6 +8,7 @@
 
 #include "core/base/settings.h"
 #include "core/base/staged_output.h"
+#include "core/map/overhead_tiles.h"
 #include "tests/core/map/raster_files.h"
 #include "tests/support/drawn_map.h"
 #include "tests/support/error_text.h"
@@ -301,6 +302,43 @@ TEST_F(MapPackage, RefusesLabelsOfSeveralBands) {
   file.copies = 3;
   replace_labels(file);
   EXPECT_THAT(fault(), HasSubstr("labels need one band of class ids, this has 3"));
+}
+
+TEST_F(MapPackage, RefusesTheSameLabelsWhereTheyAreReadPieceByPiece) {
+  write(town(20, 20));
+  const auto fault_of_tiles = [&](const RasterFile& file) {
+    replace_labels(file);
+    const auto tiles = OverheadTiles::open(package(), OverheadTiles::Layer::kLabels);
+    return tiles ? error_text(tiles->labels({0, 0, 0})) : error_text(tiles);
+  };
+  RasterFile file = labels_on(town(), matrix(1, 0, 0, -1));
+  EXPECT_EQ(fault_of_tiles(file), "(no error)");
+  file.ids.at(3, 7) = 77;
+  EXPECT_EQ(fault_of_tiles(file),
+            labels_path() + ": id 77 at column 3, row 7 of level 0 is no class");
+  file = labels_on(town(), matrix(1, 0, 0, -1));
+  file.ids = Raster<std::uint8_t>(20, 10, kRoad);
+  file.ids.at(2, 1) = 2;
+  file.bits = 16;  // Times 257, which cut to eight bits would become 255, unclassified.
+  EXPECT_EQ(fault_of_tiles(file),
+            labels_path() + ": id 514 at column 2, row 1 of level 0 is no class");
+  file = labels_on(town(), matrix(1, 0, 0, -1));
+  file.no_data = kRoad;
+  EXPECT_THAT(fault_of_tiles(file), HasSubstr("its no-data value is 0 and not 255"));
+  file = labels_on(town(), matrix(1, 0, 0, -1));
+  file.copies = 3;
+  EXPECT_THAT(fault_of_tiles(file), HasSubstr("labels need one band of whole numbers"));
+}
+
+TEST_F(MapPackage, SaysWhereAnIdThatIsNoClassLiesInATileFarFromTheCorner) {
+  OverheadMap map = town(1100, 600);
+  map.labels.at(1090, 555) = 99;
+  write(map);
+  const auto tiles = OverheadTiles::open(package(), OverheadTiles::Layer::kLabels);
+  ASSERT_TRUE(tiles) << error_text(tiles);
+  EXPECT_TRUE(tiles->labels({0, 1, 0}));
+  EXPECT_EQ(error_text(tiles->labels({0, 2, 1})),
+            labels_path() + ": id 99 at column 1090, row 555 of level 0 is no class");
 }
 
 TEST_F(MapPackage, AcceptsLabelsThatAnotherProgramWroteOnThePlane) {

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/cli/arguments.h"
+#include "app/cli/command.h"
+#include "app/cli/console.h"
+#include "app/cli/figure_flow.h"
+
+namespace nadir::cli {
+namespace {
+
+constexpr const char* kName = "nadir figure";
+
+struct FigureArguments {
+  std::string figure, out, map, route, recreated;
+  std::vector<std::string> runs;
+  bool is_quiet = false;
+  OptionFlags options;
+};
+
+std::string figure_list() {
+  std::string text = "Figures:\n";
+  for (const FigureKind& kind : figure_kinds()) {
+    text += fmt::format("  {:<16}{}\n", kind.name, kind.summary);
+  }
+  return text + "\nExample: nadir figure flight --run run.nadir --out flight.png";
+}
+
+void add_arguments(CLI::App& app, FigureArguments& values) {
+  CLI::Option* figure = app.add_option("FIGURE", values.figure,
+                                       "A figure by its name (below), or a recipe (a TOML file)");
+  app.add_option("--run", values.runs, "Run file; several for the figures that compare")
+      ->type_name("FILE")
+      ->excludes(
+          app.add_option("--recreate", values.recreated,
+                         "Draw a PNG or SVG again from the recipe that it carries; flags win "
+                         "over it")
+              ->type_name("FILE")
+              ->excludes(figure));
+  app.add_option("--out", values.out,
+                 "File to write: .png, .svg, .pdf or .mp4; - is a PNG on standard output")
+      ->type_name("FILE")
+      ->required();
+  app.add_option("--map", values.map, "Map package; default the one that the run was localised on")
+      ->type_name("FOLDER");
+  app.add_option("--route", values.route,
+                 "Route file of figure 'route'; default the map's routes/loop.toml")
+      ->type_name("FILE");
+  app.add_flag("--quiet", values.is_quiet, "No progress and no words");
+  add_option_flags(app, "Options of the figure", option_texts(FigureOptions{}), values.options);
+  app.footer(figure_list());
+}
+
+Result<FigureRecipe> recipe_of(const FigureArguments& values) {
+  FigureRecipe recipe;
+  if (!values.recreated.empty()) {
+    auto stored = stored_recipe(values.recreated);
+    if (!stored) return stored;
+    recipe = std::move(*stored);
+  } else if (std::filesystem::path(values.figure).extension() == ".toml") {
+    auto read = read_figure_recipe(values.figure);
+    if (!read) return tl::unexpected(blame_file(read.error()));
+    recipe = std::move(*read);
+  } else {
+    recipe.figure = values.figure;
+  }
+  if (!values.runs.empty()) recipe.runs = values.runs;
+  if (!values.map.empty()) recipe.map = values.map;
+  if (!values.route.empty()) recipe.route = values.route;
+  if (!recipe.map.empty()) recipe.map = find_bundled(recipe.map).string();
+  for (const auto& [name, text] : values.options) {
+    if (auto set = set_option(recipe.options, name, text); !set) return forward_error(set);
+  }
+  if (const auto known = figure_kind(recipe.figure); !known) return forward_error(known);
+  return recipe;
+}
+
+}  // namespace
+
+int run_figure(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
+  CLI::App app("Draws a figure of a recorded run or of a map, without a display", kName);
+  FigureArguments values;
+  add_arguments(app, values);
+  if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
+  if (values.figure.empty() && values.recreated.empty()) {
+    return report_misuse(err, kName, "FIGURE is missing");
+  }
+  const auto recipe = recipe_of(values);
+  if (!recipe) return report_flags_error(err, kName, recipe.error());
+  const Interrupt interrupt;
+  ProgressBar bar(err, values.is_quiet);
+  const WorkContext work{interrupt.token(), [&bar](double fraction, const std::string& activity) {
+                           bar.show(fraction, activity);
+                         }};
+  const auto drawn =
+      values.out == "-" ? stream_figure(*recipe, out) : write_figure(*recipe, values.out, work);
+  if (!drawn) return report_flags_error(err, kName, drawn.error());
+  return kDone;
+}
+
+}  // namespace nadir::cli

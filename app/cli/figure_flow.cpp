@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/figure_flow.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "core/base/staged_output.h"
+#include "widgets/canvas/png_file.h"
+#include "widgets/canvas/svg_canvas.h"
+#include "widgets/figures/film.h"
+#include "widgets/figures/report.h"
+
+namespace nadir::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kRecipeKey = "nadir-recipe";
+
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return ending;
+}
+
+std::optional<PageFile> page_file(const std::string& ending) {
+  if (ending == ".png") return PageFile::kPng;
+  if (ending == ".svg") return PageFile::kSvg;
+  if (ending == ".pdf") return PageFile::kPdf;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<void> write_figure(const FigureRecipe& recipe,
+                          const fs::path& path,
+                          const WorkContext& work) {
+  const std::string ending = ending_of(path);
+  const auto kind = page_file(ending);
+  if (!kind && ending != ".mp4") {
+    return fail(ErrorCode::kInvalidOptions, "--out: {} does not end in .png, .svg, .pdf or .mp4",
+                path.string());
+  }
+  if (kind) {
+    const auto bytes = draw_recipe(recipe, *kind);
+    if (!bytes) return forward_error(bytes);
+    return write_text_file(path, *bytes);
+  }
+  const auto known = figure_kind(recipe.figure);
+  if (!known) return forward_error(known);
+  auto figure = make_figure(recipe);
+  if (!figure) return forward_error(figure);
+  FigureContext context(page_format(recipe.options, known->aspect));
+  context.supersampling = 1;
+  const FilmOptions film{recipe.options.fps, recipe.options.speed, recipe.options.from_s,
+                         recipe.options.to_s};
+  const auto written = write_film(**figure, context, film, path, work);
+  if (!written) return forward_error(written);
+  return {};
+}
+
+Result<void> stream_figure(const FigureRecipe& recipe, std::ostream& out) {
+  const auto bytes = draw_recipe(recipe, PageFile::kPng);
+  if (!bytes) return forward_error(bytes);
+  out << *bytes << std::flush;
+  if (!out) return fail(ErrorCode::kIo, "standard output cannot be written");
+  return {};
+}
+
+Result<FigureRecipe> stored_recipe(const fs::path& path) {
+  std::string text;
+  if (ending_of(path) == ".svg") {
+    const auto svg = read_text_file(path);
+    if (!svg) return forward_error(svg);
+    text = svg_metadata(*svg);
+  } else {
+    const auto texts = read_png_texts(path);
+    if (!texts) return forward_error(texts);
+    const auto found = texts->find(kRecipeKey);
+    if (found != texts->end()) text = found->second;
+  }
+  if (text.empty()) {
+    return fail(ErrorCode::kMalformed, "{}: carries no recipe of a figure", path.string());
+  }
+  return parse_figure_recipe(text, path.string());
+}
+
+}  // namespace nadir::cli

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Figures that are charts alone: mse-bars, cdf, consistency.
+#include <fmt/format.h>
+
+#include "widgets/figures/chart_panel.h"
+#include "widgets/figures/error_charts.h"
+#include "widgets/figures/figures.h"
+#include "widgets/figures/page_layout.h"
+#include "widgets/figures/run_lines.h"
+
+namespace nadir {
+namespace {
+
+using MakeCharts = std::vector<CaptionedChart> (*)(std::span<const FigureRun>, const Theme&);
+
+/// A grid of charts with one legend above and the foot of the runs below.
+class ChartFigure : public Figure {
+ public:
+  ChartFigure(FigureInputs inputs, MakeCharts make, std::size_t columns_wanted, std::string words)
+      : inputs_(std::move(inputs)),
+        make_(make),
+        columns_(columns_wanted),
+        words_(std::move(words)) {}
+
+  Result<void> draw(Canvas& canvas, FigureContext& context) override {
+    const PageFormat& format = context.format();
+    const std::vector<CaptionedChart> charts = make_(inputs_.runs, format.colours());
+    PageRect rest = page_inside(format);
+    draw_foot(canvas, format, rest,
+              (words_.empty() ? "" : words_ + " · ") + foot_of_all(inputs_.runs));
+    draw_page_legend(canvas, format, rest, legend_of_all(charts));
+    draw_charts(canvas, format, rest, charts, columns_);
+    return {};
+  }
+
+ private:
+  FigureInputs inputs_;
+  MakeCharts make_;
+  std::size_t columns_;
+  std::string words_;
+};
+
+std::vector<CaptionedChart> mse_charts(std::span<const FigureRun> runs, const Theme& theme) {
+  return {{"(a) position", mse_chart(runs, ErrorKind::kPosition, theme)},
+          {"(b) orientation", mse_chart(runs, ErrorKind::kOrientation, theme)}};
+}
+
+std::vector<CaptionedChart> cdf_charts(std::span<const FigureRun> runs, const Theme& theme) {
+  return {{"(a) position", cdf_chart(runs, ErrorKind::kPosition, theme)},
+          {"(b) orientation", cdf_chart(runs, ErrorKind::kOrientation, theme)}};
+}
+
+std::vector<CaptionedChart> consistency_charts(std::span<const FigureRun> runs,
+                                               const Theme& theme) {
+  const FigureRun& run = runs.front();
+  return {{"(a) normalised error squared", nees_chart(run, theme)},
+          {"(b) calibration of the position ellipse", calibration_chart(run, theme)},
+          {"(c) effective sample size", sample_size_chart(run, theme)},
+          {"(d) agreement with the map", agreement_chart(runs, theme)}};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Figure>> make_mse_bars(FigureInputs inputs) {
+  return std::make_unique<ChartFigure>(std::move(inputs), mse_charts, 2, "");
+}
+
+Result<std::unique_ptr<Figure>> make_cdf(FigureInputs inputs) {
+  return std::make_unique<ChartFigure>(std::move(inputs), cdf_charts, 2, "");
+}
+
+Result<std::unique_ptr<Figure>> make_consistency(FigureInputs inputs) {
+  const Consistency& consistency = inputs.runs.front().evaluation.consistency;
+  std::string words;
+  if (consistency.nees_mean) {
+    words = fmt::format(
+        "mean NEES {:.2f} (3 if consistent; 95 % of means of {} independent steps lie in {:.2f} to "
+        "{:.2f})",
+        *consistency.nees_mean, consistency.nees_steps, *consistency.nees_lower_95,
+        *consistency.nees_upper_95);
+  }
+  if (consistency.coverage_95) {
+    words += fmt::format("{}{:.1f} % of true positions inside the 95 % ellipse",
+                         words.empty() ? "" : " · ", 100.0 * *consistency.coverage_95);
+  }
+  return std::make_unique<ChartFigure>(std::move(inputs), consistency_charts, 2, words);
+}
+
+}  // namespace nadir

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "core/eval/series.h"
+#include "widgets/figures/figure_run.h"
+#include "widgets/views/theme.h"
+#include "widgets/views/xy_chart.h"
+
+namespace nadir {
+
+/// Charts of runs that several figures show. Times are seconds after the run's first step. Colours are those of lines on
+/// paper; a run's number picks its colour.
+
+/// Colour of the estimate of the first, second, third ... run on paper.
+[[nodiscard]] Rgba run_colour(const Theme& theme, std::size_t run);
+
+enum class PoseAxis { kEast, kNorth, kYaw };
+/// Error of the estimate with a band of one and two standard deviations of the particles around zero: a consistent
+/// filter's error stays in the darker one two thirds of the time (thesis figures 4-4 to 4-6, b to d).
+[[nodiscard]] ChartSpec axis_error_chart(const FigureRun& run, PoseAxis axis, const Theme& theme);
+
+/// Distance between estimate and truth of each run, and of the odometry of the first where asked (4-4 to 4-6, e).
+[[nodiscard]] ChartSpec position_error_chart(std::span<const FigureRun> runs,
+                                             bool with_odometry,
+                                             const Theme& theme);
+/// Size of the orientation error in degrees, likewise.
+[[nodiscard]] ChartSpec orientation_error_chart(std::span<const FigureRun> runs,
+                                                bool with_odometry,
+                                                const Theme& theme);
+
+enum class ErrorKind { kPosition, kOrientation };
+/// Share of steps whose error is at most so large (4-8).
+[[nodiscard]] ChartSpec cdf_chart(std::span<const FigureRun> runs,
+                                  ErrorKind kind,
+                                  const Theme& theme);
+/// Mean squared error of each run, input beside estimate (4-7).
+[[nodiscard]] ChartSpec mse_chart(std::span<const FigureRun> runs,
+                                  ErrorKind kind,
+                                  const Theme& theme);
+
+/// NEES of each step with the bounds between which a step of a consistent filter lies 95 times in 100 (Bar-Shalom et al.
+/// 2001, section 5.4).
+[[nodiscard]] ChartSpec nees_chart(const FigureRun& run, const Theme& theme);
+/// Effective sample size beside the number of particles.
+[[nodiscard]] ChartSpec sample_size_chart(const FigureRun& run, const Theme& theme);
+/// Share of topview cells that agree with the map at the estimate.
+[[nodiscard]] ChartSpec agreement_chart(std::span<const FigureRun> runs, const Theme& theme);
+/// Time of each update.
+[[nodiscard]] ChartSpec timing_chart(const FigureRun& run, const Theme& theme);
+/// Share of truth inside the p-ellipse against p: the diagonal for a consistent filter.
+[[nodiscard]] ChartSpec calibration_chart(const FigureRun& run, const Theme& theme);
+
+/// Seconds after the run's first step of a series' elements, which count from the first step shown.
+[[nodiscard]] std::vector<double> elapsed_of(const FigureRun& run, const ErrorSeries& series);
+
+}  // namespace nadir

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/figures/figure_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/run/evaluate_run.h"
+
+namespace nadir {
+namespace fs = std::filesystem;
+
+std::size_t FigureRun::index_at(double elapsed) const {
+  const auto after =
+      std::upper_bound(steps.begin(), steps.end(), start_s + elapsed + 1e-9,
+                       [](double time_s, const RunStep& step) { return time_s < step.time_s; });
+  return after == steps.begin() ? 0 : static_cast<std::size_t>(after - steps.begin()) - 1;
+}
+
+Result<FigureRun> open_figure_run(const fs::path& path, const FigureOptions& options) {
+  auto reader = RunReader::open(path);
+  if (!reader) return forward_error(reader);
+  auto steps = reader->steps();
+  if (!steps) return forward_error(steps);
+  if (steps->empty()) return fail(ErrorCode::kMalformed, "{}: holds no steps", path.string());
+  FigureRun run{path.stem().string(), path, std::move(*reader), steps->front().time_s, {}, {}, {}};
+  for (RunStep& step : *steps) {
+    const double elapsed_s = run.elapsed_s(step);
+    if (elapsed_s >= options.from_s && elapsed_s <= options.to_s) {
+      run.steps.push_back(std::move(step));
+    }
+  }
+  if (run.steps.empty()) {
+    return fail(ErrorCode::kMalformed, "{}: has no step from {:g} s to {:g} s after its start",
+                path.string(), options.from_s, options.to_s);
+  }
+  run.judged.reserve(run.steps.size());
+  std::transform(run.steps.begin(), run.steps.end(), std::back_inserter(run.judged),
+                 evaluated_step);
+  auto evaluation = evaluate_steps(run.judged);
+  if (!evaluation) return forward_error(evaluation, path.string());
+  run.evaluation = std::move(*evaluation);
+  describe(run.evaluation, run.reader.header(), path.string());
+  return run;
+}
+
+Result<fs::path> find_map_of(const FigureRun& run) {
+  const fs::path named = run.reader.header().map_path;
+  const fs::path last = named.has_filename() ? named.filename() : named.parent_path().filename();
+  std::error_code error;
+  for (const fs::path& candidate : {named, run.path.parent_path() / last}) {
+    if (!candidate.empty() && fs::exists(candidate / "map.toml", error)) return candidate;
+  }
+  return fail(ErrorCode::kNotFound, "{}: its map {} is not there; name one with --map",
+              run.path.string(), named.string());
+}
+
+std::string foot_of(const FigureRun& run) {
+  const RunEvaluation& evaluation = run.evaluation;
+  const RunHeader& header = run.reader.header();
+  std::string text = fmt::format("{} on {}, preset {}, seed {}", header.flight, header.map,
+                                 header.preset, header.seed);
+  if (!run.has_truth()) return text + fmt::format(" · {} steps, no truth", run.steps.size());
+  return text + fmt::format(" · {} alignment · {} matched pairs, {} steps dropped",
+                            enum_name(evaluation.alignment) == "none"
+                                ? std::string("no")
+                                : std::string(enum_name(evaluation.alignment)),
+                            evaluation.matched_pairs, evaluation.dropped_steps);
+}
+
+std::optional<Rigid2> pose_of(const RunStep& step, Source source) {
+  switch (source) {
+    case Source::kTruth:
+      return step.truth_in_enu;
+    case Source::kOdometry:
+      return step.odometry_in_enu;
+    case Source::kEstimate:
+      break;
+  }
+  const Rigid2& mean = step.estimate.moments.mean;
+  if (!is_finite(mean)) return std::nullopt;
+  return mean;
+}
+
+std::vector<Eigen::Vector2d> path_of(const FigureRun& run, Source source) {
+  std::vector<Eigen::Vector2d> points;
+  points.reserve(run.steps.size());
+  for (const RunStep& step : run.steps) {
+    const auto pose = pose_of(step, source);
+    points.push_back(pose ? pose->translation_m() : Eigen::Vector2d::Constant(std::nan("")));
+  }
+  return points;
+}
+
+}  // namespace nadir

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/eval/run_evaluation.h"
+#include "core/run/run_file.h"
+#include "widgets/figures/figure_options.h"
+
+namespace nadir {
+
+/// A recorded run as figures use it: all its steps without particles and topviews, which are read when they are drawn.
+struct FigureRun {
+  std::string name;  ///< For legends: the file's name without ending.
+  std::filesystem::path path;
+  RunReader reader;
+  double start_s = 0.0;               ///< Time of the run's first step; figures count from there.
+  std::vector<RunStep> steps;         ///< Those between `from` and `to`; never empty.
+  std::vector<EvaluatedStep> judged;  ///< The same as the evaluation sees them.
+  RunEvaluation evaluation;           ///< Of these steps, without alignment.
+
+  [[nodiscard]] double elapsed_s(const RunStep& step) const { return step.time_s - start_s; }
+  /// The last step that is not after the moment, else the first.
+  [[nodiscard]] std::size_t index_at(double elapsed_s) const;
+  [[nodiscard]] bool has_truth() const { return evaluation.matched_pairs > 0; }
+};
+
+/// @errors as RunReader; kMalformed: no step between `from` and `to`.
+[[nodiscard]] Result<FigureRun> open_figure_run(const std::filesystem::path& path,
+                                                const FigureOptions& options);
+
+/// The map package that a run was localised on: where the run says it was, or beside the run under the same name.
+/// @errors kNotFound: "R.nadir: its map PATH is not there; name one with --map".
+[[nodiscard]] Result<std::filesystem::path> find_map_of(const FigureRun& run);
+
+/// "no alignment, 401 matched pairs, 0 steps dropped": what every figure with errors says at its foot.
+[[nodiscard]] std::string foot_of(const FigureRun& run);
+
+/// Positions of a run's steps in enu, metres; not finite where not known.
+enum class Source { kTruth, kOdometry, kEstimate };
+[[nodiscard]] std::vector<Eigen::Vector2d> path_of(const FigureRun& run, Source source);
+/// Pose of a step from one source. Nothing where not known.
+[[nodiscard]] std::optional<Rigid2> pose_of(const RunStep& step, Source source);
+
+}  // namespace nadir

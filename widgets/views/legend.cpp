@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/views/legend.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace nadir {
+namespace {
+
+constexpr double kTextPt = 8.5;
+constexpr double kSamplePt = 16.0;
+constexpr double kRowPt = 13.0;
+constexpr double kBetweenPt = 12.0;  ///< One entry and the next.
+
+struct Place {
+  double left = 0.0, top = 0.0;  ///< Offsets from the upper left corner, pixels.
+};
+
+/// Where each entry goes, and the height of all.
+std::pair<std::vector<Place>, double> lay_out(double width_px,
+                                              std::span<const LegendEntry> entries,
+                                              double px) {
+  TextStyle style;
+  style.size_px = kTextPt * px;
+  std::vector<Place> places;
+  double left = 0.0;
+  double top = 0.0;
+  for (const LegendEntry& entry : entries) {
+    const double width = (kSamplePt + 4.0) * px + measure_text(entry.name, style).width;
+    if (left > 0.0 && left + width > width_px) {
+      left = 0.0;
+      top += kRowPt * px;
+    }
+    places.push_back({left, top});
+    left += width + kBetweenPt * px;
+  }
+  return {places, entries.empty() ? 0.0 : top + kRowPt * px};
+}
+
+void fill_rect(
+    Canvas& canvas, double left, double bottom, double width, double height, Rgba colour) {
+  const std::array<Eigen::Vector2d, 4> corners = {
+      Eigen::Vector2d(left, bottom), Eigen::Vector2d(left + width, bottom),
+      Eigen::Vector2d(left + width, bottom + height), Eigen::Vector2d(left, bottom + height)};
+  canvas.fill(corners, colour);
+}
+
+void draw_sample(Canvas& canvas, const LegendEntry& entry, double left, double middle, double px) {
+  const std::array<Eigen::Vector2d, 2> line = {Eigen::Vector2d(left, middle),
+                                               Eigen::Vector2d(left + kSamplePt * px, middle)};
+  const double width = 2.0 * px;
+  switch (entry.kind) {
+    case LegendEntry::Kind::kLine:
+      canvas.stroke(line, {entry.colour, width});
+      break;
+    case LegendEntry::Kind::kDashed:
+      canvas.stroke(line, {entry.colour, width, {4.0 * px, 2.0 * px}});
+      break;
+    case LegendEntry::Kind::kBand:
+      fill_rect(canvas, left, middle - 3.5 * px, kSamplePt * px, 7.0 * px, entry.colour);
+      break;
+    case LegendEntry::Kind::kBar:
+      fill_rect(canvas, left + 4.5 * px, middle - 3.5 * px, 7.0 * px, 7.0 * px, entry.colour);
+      break;
+    case LegendEntry::Kind::kDot: {
+      std::vector<Eigen::Vector2d> dot;
+      for (int i = 0; i < 24; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / 24.0;
+        dot.emplace_back(left + kSamplePt / 2.0 * px + 2.5 * px * std::cos(angle),
+                         middle + 2.5 * px * std::sin(angle));
+      }
+      canvas.fill(dot, entry.colour);
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+double draw_legend(Canvas& canvas,
+                   const PageRect& where,
+                   std::span<const LegendEntry> entries,
+                   const Theme& theme,
+                   double px_per_pt) {
+  const auto [places, height] = lay_out(where.width, entries, px_per_pt);
+  TextStyle style;
+  style.size_px = kTextPt * px_per_pt;
+  style.colour = theme.text;
+  const double cap_height = measure_text("0", style).cap_height;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const double left = where.left + places[i].left;
+    const double middle = where.top() - places[i].top - kRowPt / 2.0 * px_per_pt;
+    if (middle - kRowPt / 2.0 * px_per_pt < where.bottom - 0.5) break;
+    draw_sample(canvas, entries[i], left, middle, px_per_pt);
+    canvas.text({left + (kSamplePt + 4.0) * px_per_pt, middle - cap_height / 2.0}, entries[i].name,
+                style);
+  }
+  return std::min(height, where.height);
+}
+
+double legend_height(double width_px, std::span<const LegendEntry> entries, double px_per_pt) {
+  return lay_out(width_px, entries, px_per_pt).second;
+}
+
+}  // namespace nadir

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "widgets/canvas/canvas.h"
+#include "widgets/views/theme.h"
+
+namespace nadir {
+
+/// A name and the sample of what is drawn so.
+struct LegendEntry {
+  enum class Kind { kLine, kDashed, kBand, kBar, kDot };
+  std::string name;
+  Rgba colour;
+  Kind kind = Kind::kLine;
+  friend bool operator==(const LegendEntry&, const LegendEntry&) = default;
+};
+
+/// Draws entries in rows from the upper left of `where`, as many in a row as fit.
+/// @returns the height that they took, pixels; nothing is drawn below `where`.
+double draw_legend(Canvas& canvas,
+                   const PageRect& where,
+                   std::span<const LegendEntry> entries,
+                   const Theme& theme,
+                   double px_per_pt);
+
+/// The height that draw_legend() would take in a width.
+[[nodiscard]] double legend_height(double width_px,
+                                   std::span<const LegendEntry> entries,
+                                   double px_per_pt);
+
+}  // namespace nadir
