@@ -9,14 +9,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(std::optional<double> value) {
+Json json_number(std::optional<double> value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
 Json errors(const std::optional<PoseErrorSummary>& summary) {
   Json object = Json::object();
   for (const detail::ErrorKey& entry : detail::kErrorKeys) {
-    object[std::string(entry.key)] = summary ? number(entry.value(*summary)) : Json(nullptr);
+    object[std::string(entry.key)] = summary ? json_number(entry.value(*summary)) : Json(nullptr);
   }
   return object;
 }
@@ -39,19 +39,19 @@ Json run_object(const RunEvaluation& e) {
           {"alignment", enum_name(e.alignment)},
           {"estimate", errors(e.estimate)},
           {"odometry", errors(e.odometry)},
-          {"nees_mean", number(e.consistency.nees_mean)},
-          {"coverage_95", number(e.consistency.coverage_95)},
-          {"converged_after_s", number(e.convergence.after_s)},
-          {"converged_after_m", number(e.convergence.after_m)},
-          {"update_rate_hz", number(e.update_rate_hz)},
+          {"nees_mean", json_number(e.consistency.nees_mean)},
+          {"coverage_95", json_number(e.consistency.coverage_95)},
+          {"converged_after_s", json_number(e.convergence.after_s)},
+          {"converged_after_m", json_number(e.convergence.after_m)},
+          {"update_rate_hz", json_number(e.update_rate_hz)},
           {"is_complete", e.is_complete},
           {"dropped_steps", e.dropped_steps},
           {"duration_s", e.duration_s},
           {"distance_m", e.matched_pairs > 0 ? Json(e.distance_m) : Json(nullptr)},
           {"estimate_alignment", alignment_of(e, e.estimate_alignment)},
           {"odometry_alignment", alignment_of(e, e.odometry_alignment)},
-          {"nees_lower_95", number(e.consistency.nees_lower_95)},
-          {"nees_upper_95", number(e.consistency.nees_upper_95)},
+          {"nees_lower_95", json_number(e.consistency.nees_lower_95)},
+          {"nees_upper_95", json_number(e.consistency.nees_upper_95)},
           {"nees_steps", e.consistency.nees_steps},
           {"nees_excluded_steps", e.consistency.excluded_steps},
           {"lost_stretches", e.convergence.lost_stretches},

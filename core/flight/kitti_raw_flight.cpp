@@ -12,7 +12,7 @@ namespace {
 
 /// Height of the GPS/IMU unit above the ground: figure 3 of Geiger et al. 2013.
 constexpr double kBodyHeightM = 0.93;
-constexpr std::uintmax_t kLargestText = 64U << 20U;
+constexpr std::uintmax_t kLargestPackets = 64U << 20U;
 
 struct NumberedFile {
   int number = 0;  ///< Of the frame; numbers have gaps where files were left out.
@@ -37,7 +37,7 @@ std::vector<NumberedFile> numbered_files(const fs::path& folder, std::string_vie
 
 Result<std::vector<double>> times_of(const fs::path& stream) {
   const fs::path path = stream / "timestamps.txt";
-  const auto text = read_text_file(path, kLargestText);
+  const auto text = read_text_file(path, kLargestPackets);
   if (!text) return forward_error(text);
   return parse_kitti_timestamps(*text, path.string());
 }
@@ -79,7 +79,7 @@ Result<std::vector<OxtsPacket>> read_packets(const fs::path& stream) {
   for (const NumberedFile& file : files) {
     const auto time_s = time_of(file, *times_s);
     if (!time_s) return forward_error(time_s);
-    const auto text = read_text_file(file.path, kLargestText);
+    const auto text = read_text_file(file.path, kLargestPackets);
     if (!text) return forward_error(text);
     auto packet = parse_oxts_packet(*text, file.path.string());
     if (!packet) return forward_error(packet);
@@ -102,7 +102,7 @@ std::optional<fs::path> calibration_folder(const fs::path& drive) {
 
 Result<CameraMount> read_camera(const fs::path& folder) {
   const auto read = [&](const char* name) -> Result<KittiCalibration> {
-    const auto text = read_text_file(folder / name, kLargestText);
+    const auto text = read_text_file(folder / name, kLargestPackets);
     if (!text) return forward_error(text);
     return parse_kitti_calibration(*text);
   };

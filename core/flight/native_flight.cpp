@@ -14,7 +14,7 @@ namespace nadir {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::uintmax_t kLargestText = 256U << 20U;
+constexpr std::uintmax_t kLargestList = 256U << 20U;
 constexpr std::uintmax_t kLargestImage = 1U << 30U;
 
 /// A list of the folder with its files' names made whole; empty where the flight has no such list.
@@ -33,7 +33,7 @@ Result<Stream> read_stream(const fs::path& folder, const char* list_name) {
   const fs::path list = folder / list_name;
   std::error_code error;
   if (!fs::exists(list, error)) return Stream{};
-  const auto text = read_text_file(list, kLargestText);
+  const auto text = read_text_file(list, kLargestList);
   if (!text) return forward_error(text);
   auto files = parse_frame_list(*text, list.string());
   if (!files) return forward_error(files);
@@ -57,7 +57,7 @@ Result<Stream> read_stream(const fs::path& folder, const char* list_name) {
 Result<std::optional<Trajectory>> read_poses(const fs::path& path) {
   std::error_code error;
   if (!fs::exists(path, error)) return std::optional<Trajectory>();
-  const auto text = read_text_file(path, kLargestText);
+  const auto text = read_text_file(path, kLargestList);
   if (!text) return forward_error(text);
   auto trajectory = parse_tum_trajectory(*text, path.string());
   if (!trajectory) return forward_error(trajectory);
@@ -146,7 +146,7 @@ bool is_native_flight(const fs::path& folder) {
 FlightResult open_native_flight(const fs::path& given) {
   const fs::path folder = given.empty() ? fs::path(".") : given;
   const fs::path settings_path = folder / "flight.toml";
-  const auto text = read_text_file(settings_path, kLargestText);
+  const auto text = read_text_file(settings_path, kLargestList);
   if (!text) return forward_error(text);
   const auto settings = parse_flight_settings(*text, settings_path.string());
   if (!settings) return forward_error(settings);

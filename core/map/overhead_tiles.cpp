@@ -16,21 +16,23 @@ struct OverheadTiles::Implementation {
   TiffPlace place;
   GdalDataset dataset;
 
-  /// Reads bands 1 to `bands` of a tile, interleaved by pixel.
+  /// Reads bands 1 to `bands` of a tile, interleaved by pixel, as numbers of `type`.
   Result<void> read(const TileAddress& tile,
                     const Eigen::Vector4i& cells,
                     int bands,
                     GDALRIOResampleAlg resampling,
                     int width,
                     int height,
-                    std::uint8_t* into) const {
+                    GDALDataType type,
+                    void* into) const {
     const GdalMessages messages;
     GDALRasterIOExtraArg extra;
     INIT_RASTERIO_EXTRA_ARG(extra);
     extra.eResampleAlg = resampling;
-    const CPLErr error = dataset->RasterIO(GF_Read, cells[0], cells[1], cells[2], cells[3], into,
-                                           width, height, GDT_Byte, bands, nullptr, bands,
-                                           static_cast<GSpacing>(bands) * width, 1, &extra);
+    const GSpacing size = GDALGetDataTypeSizeBytes(type);
+    const CPLErr error =
+        dataset->RasterIO(GF_Read, cells[0], cells[1], cells[2], cells[3], into, width, height,
+                          type, bands, nullptr, bands * size, bands * size * width, size, &extra);
     if (error == CE_None && !messages.has_failed()) return {};
     return fail(ErrorCode::kMalformed, "{}: cannot be read at column {}, row {} of level {} ({})",
                 name, tile.column, tile.row, tile.level, messages.text());
@@ -60,6 +62,15 @@ Result<OverheadTiles> OverheadTiles::open(const std::filesystem::path& package, 
   if (made->dataset->GetRasterCount() < bands) {
     return fail(ErrorCode::kMalformed, "{}: has {} bands instead of {}", made->name,
                 made->dataset->GetRasterCount(), bands);
+  }
+  if (layer == Layer::kLabels) {
+    const GDALDataType type = made->dataset->GetRasterBand(1)->GetRasterDataType();
+    if (made->dataset->GetRasterCount() != 1 || GDALDataTypeIsInteger(type) == FALSE) {
+      return fail(ErrorCode::kUnsupported, "{}: labels need one band of whole numbers", made->name);
+    }
+    if (const auto same = check_no_data(*made->dataset, made->name); !same) {
+      return forward_error(same);
+    }
   }
   return OverheadTiles(std::move(made));
 }
@@ -111,7 +122,7 @@ Result<ColourRaster> OverheadTiles::picture(const TileAddress& tile) const {
   ColourRaster pixels(pixels_of(cells[2], tile.level), pixels_of(cells[3], tile.level));
   auto* const bytes = reinterpret_cast<std::uint8_t*>(pixels.data());
   if (auto read = implementation_->read(tile, cells, 3, GRIORA_Average, pixels.width(),
-                                        pixels.height(), bytes);
+                                        pixels.height(), GDT_Byte, bytes);
       !read) {
     return forward_error(read);
   }
@@ -120,11 +131,23 @@ Result<ColourRaster> OverheadTiles::picture(const TileAddress& tile) const {
 
 Result<Raster<ClassId>> OverheadTiles::labels(const TileAddress& tile) const {
   const Eigen::Vector4i cells = cells_of(tile);
-  Raster<ClassId> pixels(pixels_of(cells[2], tile.level), pixels_of(cells[3], tile.level));
-  if (auto read = implementation_->read(tile, cells, 1, GRIORA_NearestNeighbour, pixels.width(),
-                                        pixels.height(), pixels.data());
+  // As whole numbers, for what is no class must not become one when it is cut to eight bits.
+  Raster<std::int32_t> ids(pixels_of(cells[2], tile.level), pixels_of(cells[3], tile.level));
+  if (auto read = implementation_->read(tile, cells, 1, GRIORA_NearestNeighbour, ids.width(),
+                                        ids.height(), GDT_Int32, ids.data());
       !read) {
     return forward_error(read);
+  }
+  Raster<ClassId> pixels(ids.width(), ids.height());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const std::int32_t id = ids.values()[i];
+    if (id != kUnclassified && (id < 0 || id >= kClassCount)) {
+      const int index = static_cast<int>(i);
+      return fail(ErrorCode::kMalformed, "{}: id {} at column {}, row {} of level {} is no class",
+                  implementation_->name, id, tile.column * kTileSide + index % ids.width(),
+                  tile.row * kTileSide + index / ids.width(), tile.level);
+    }
+    pixels.values()[i] = static_cast<ClassId>(id);
   }
   return pixels;
 }

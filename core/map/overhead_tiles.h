@@ -19,7 +19,8 @@ struct TileAddress {
   friend auto operator<=>(const TileAddress&, const TileAddress&) = default;
 };
 
-/// Side of a tile in its own pixels. Tiles at the right and lower border are smaller.
+/// Side of a tile in its own pixels. Tiles at the right and lower border are smaller, and there a pixel need not be 2^level
+/// cells: the pixels of a tile share the cells of cells_of(tile) evenly, so their size follows from those.
 inline constexpr int kTileSide = 512;
 
 /// The rasters of a map package piece by piece, for looking at maps of any size: opening reads no pixels, and a tile costs
@@ -28,7 +29,8 @@ class OverheadTiles {
  public:
   enum class Layer { kPicture, kLabels };
 
-  /// @errors kNotFound (no such layer in the package), kMalformed, as read_overhead_map.
+  /// @errors kNotFound (no such layer in the package), kMalformed, kUnsupported, as read_overhead_map. Ids that are no class
+  /// show only where labels() comes across them.
   [[nodiscard]] static Result<OverheadTiles> open(const std::filesystem::path& package,
                                                   Layer layer);
   OverheadTiles(OverheadTiles&&) noexcept;
@@ -48,7 +50,8 @@ class OverheadTiles {
 
   /// Averaged for levels above 0. Only of a picture. @errors kMalformed: the file is damaged there.
   [[nodiscard]] Result<ColourRaster> picture(const TileAddress& tile) const;
-  /// The nearest cell for levels above 0, so that no class is invented. Only of labels. @errors kMalformed.
+  /// The nearest cell for levels above 0, so that no class is invented. Only of labels. @errors kMalformed: the file is
+  /// damaged there, or holds an id that is no class.
   [[nodiscard]] Result<Raster<ClassId>> labels(const TileAddress& tile) const;
 
  private:

@@ -13,7 +13,7 @@
 namespace nadir {
 namespace {
 
-constexpr std::size_t kChunk = 64;
+constexpr std::size_t kPosesPerChunk = 64;
 constexpr double kFullCost = 255.0;
 
 /// What each code of a distance field costs: the distance over the truncation, at most everything.
@@ -125,7 +125,7 @@ std::vector<double> MapMatcher::mean_costs(const MatchCells& seen,
                                            const ParticleSet& particles) const {
   NADIR_REQUIRE(!seen.empty());
   std::vector<double> costs(particles.size());
-  parallel_for(particles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+  parallel_for(particles.size(), kPosesPerChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) costs[i] = mean_cost(seen, particles.pose(i));
   });
   return costs;

@@ -10,7 +10,7 @@
 namespace nadir {
 namespace {
 
-constexpr std::size_t kChunk = 1024;
+constexpr std::size_t kParticlesPerChunk = 1024;
 
 /// Three independent normals for particle i.
 struct Normals {
@@ -78,7 +78,7 @@ void predict(ParticleSet& particles,
       parts.rotation1_rad;  // `along` and `across` are along and across the way flown
   const double along_x = std::cos(course_rad);
   const double along_y = std::sin(course_rad);
-  parallel_for(particles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+  parallel_for(particles.size(), kParticlesPerChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Normals noise = draw_normals({.seed = options.seed,
                                           .stream = kMotionNoise,
@@ -106,7 +106,7 @@ void blur(ParticleSet& particles,
   const double share = options.blur_interval_s > 0.0 ? elapsed_s / options.blur_interval_s : 1.0;
   const double position_m = options.blur_position_m * std::sqrt(share);
   const double yaw_rad = options.blur_yaw_rad * std::sqrt(share);
-  parallel_for(particles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+  parallel_for(particles.size(), kParticlesPerChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Normals noise = draw_normals({.seed = options.seed,
                                           .stream = kBlur,

@@ -23,73 +23,73 @@
 
 namespace nadir {
 
-vtkStandardNewMacro(CanvasDevice)
+CanvasDevice* CanvasDevice::New() { VTK_STANDARD_NEW_BODY(CanvasDevice); }
 
-    namespace {
-  constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+namespace {
+constexpr double kTurnRadPerDeg = std::numbers::pi / 180.0;
 
-  Rgba rgba(const vtkColor4ub& colour) {
-    return {colour.GetRed(), colour.GetGreen(), colour.GetBlue(), colour.GetAlpha()};
-  }
+Rgba rgba(const vtkColor4ub& colour) {
+  return {colour.GetRed(), colour.GetGreen(), colour.GetBlue(), colour.GetAlpha()};
+}
 
-  /// Colour of vertex i where colours are given, else the fallback.
-  Rgba colour_of(const unsigned char* colors, int components, int i, Rgba fallback) {
-    if (colors == nullptr || components < 3) return fallback;
-    const unsigned char* const colour = colors + static_cast<std::ptrdiff_t>(i) * components;
-    return {colour[0], colour[1], colour[2],
-            components > 3 ? colour[3] : static_cast<unsigned char>(255)};
-  }
+/// Colour of vertex i where colours are given, else the fallback.
+Rgba colour_of(const unsigned char* colors, int components, int i, Rgba fallback) {
+  if (colors == nullptr || components < 3) return fallback;
+  const unsigned char* const colour = colors + static_cast<std::ptrdiff_t>(i) * components;
+  return {colour[0], colour[1], colour[2],
+          components > 3 ? colour[3] : static_cast<unsigned char>(255)};
+}
 
-  std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines(1);
-    for (const char letter : text) {
-      if (letter == '\n') {
-        lines.emplace_back();
-      } else {
-        lines.back() += letter;
-      }
-    }
-    return lines;
-  }
-
-  /// Points of an ellipse from one angle to another, both included.
-  std::vector<Eigen::Vector2d> arc(const Eigen::Vector2d& centre, const Eigen::Vector2d& radii,
-                                   double start_deg, double stop_deg) {
-    const int steps =
-        std::max(2, static_cast<int>(std::ceil(std::abs(stop_deg - start_deg) / 4.0)));
-    std::vector<Eigen::Vector2d> points;
-    for (int i = 0; i <= steps; ++i) {
-      const double angle = (start_deg + (stop_deg - start_deg) * i / steps) * kRadPerDeg;
-      points.emplace_back(centre.x() + radii.x() * std::cos(angle),
-                          centre.y() + radii.y() * std::sin(angle));
-    }
-    return points;
-  }
-
-  /// Outlines of a marker around the origin that is one pixel wide.
-  std::vector<std::vector<Eigen::Vector2d>> marker_outlines(int shape) {
-    static constexpr double kArm = 0.14;  // half the thickness of a cross's arms
-    const auto bar = [](double angle) {
-      std::vector<Eigen::Vector2d> corners = {
-          {-0.5, -kArm}, {0.5, -kArm}, {0.5, kArm}, {-0.5, kArm}};
-      for (Eigen::Vector2d& corner : corners) {
-        corner = Eigen::Rotation2Dd(angle) * corner;
-      }
-      return corners;
-    };
-    switch (shape) {
-      case VTK_MARKER_CROSS:
-        return {bar(std::numbers::pi / 4.0), bar(-std::numbers::pi / 4.0)};
-      case VTK_MARKER_PLUS:
-        return {bar(0.0), bar(std::numbers::pi / 2.0)};
-      case VTK_MARKER_SQUARE:
-        return {{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}};
-      case VTK_MARKER_DIAMOND:
-        return {{{-0.5, 0.0}, {0.0, -0.5}, {0.5, 0.0}, {0.0, 0.5}}};
-      default:
-        return {arc({0.0, 0.0}, {0.5, 0.5}, 0.0, 360.0)};
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines(1);
+  for (const char letter : text) {
+    if (letter == '\n') {
+      lines.emplace_back();
+    } else {
+      lines.back() += letter;
     }
   }
+  return lines;
+}
+
+/// Points of an ellipse from one angle to another, both included.
+std::vector<Eigen::Vector2d> arc(const Eigen::Vector2d& centre,
+                                 const Eigen::Vector2d& radii,
+                                 double start_deg,
+                                 double stop_deg) {
+  const int steps = std::max(2, static_cast<int>(std::ceil(std::abs(stop_deg - start_deg) / 4.0)));
+  std::vector<Eigen::Vector2d> points;
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = (start_deg + (stop_deg - start_deg) * i / steps) * kTurnRadPerDeg;
+    points.emplace_back(centre.x() + radii.x() * std::cos(angle),
+                        centre.y() + radii.y() * std::sin(angle));
+  }
+  return points;
+}
+
+/// Outlines of a marker around the origin that is one pixel wide.
+std::vector<std::vector<Eigen::Vector2d>> marker_outlines(int shape) {
+  static constexpr double kArm = 0.14;  // half the thickness of a cross's arms
+  const auto bar = [](double angle) {
+    std::vector<Eigen::Vector2d> corners = {{-0.5, -kArm}, {0.5, -kArm}, {0.5, kArm}, {-0.5, kArm}};
+    for (Eigen::Vector2d& corner : corners) {
+      corner = Eigen::Rotation2Dd(angle) * corner;
+    }
+    return corners;
+  };
+  switch (shape) {
+    case VTK_MARKER_CROSS:
+      return {bar(std::numbers::pi / 4.0), bar(-std::numbers::pi / 4.0)};
+    case VTK_MARKER_PLUS:
+      return {bar(0.0), bar(std::numbers::pi / 2.0)};
+    case VTK_MARKER_SQUARE:
+      return {{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}};
+    case VTK_MARKER_DIAMOND:
+      return {{{-0.5, 0.0}, {0.0, -0.5}, {0.5, 0.0}, {0.0, 0.5}}};
+    default:
+      return {arc({0.0, 0.0}, {0.5, 0.5}, 0.0, 360.0)};
+  }
+}
 
 }  // namespace
 
@@ -300,7 +300,7 @@ void CanvasDevice::draw_text(const Eigen::Vector2d& point, const std::string& te
   const TextStyle style = text_style();
   if (style.colour.alpha == 0 || text.empty()) return;
   const TextBlock block = block_of(text, style, this->TextProp->GetVerticalJustification());
-  const Eigen::Rotation2Dd turned(style.rotation_deg * kRadPerDeg);
+  const Eigen::Rotation2Dd turned(style.rotation_deg * kTurnRadPerDeg);
   double baseline = block.first_baseline;
   for (const std::string& line : block.lines) {
     canvas_->text(point + turned * Eigen::Vector2d(0.0, baseline), line, style);
@@ -314,7 +314,7 @@ PageRect CanvasDevice::text_box(const std::string& text) const {
   double left = 0.0;
   if (style.align == TextAlign::kCentre) left = -block.width / 2.0;
   if (style.align == TextAlign::kRight) left = -block.width;
-  const Eigen::Rotation2Dd turned(style.rotation_deg * kRadPerDeg);
+  const Eigen::Rotation2Dd turned(style.rotation_deg * kTurnRadPerDeg);
   Eigen::AlignedBox2d box;
   for (const double x : {left, left + block.width}) {
     for (const double y : {block.bottom, block.top}) box.extend(turned * Eigen::Vector2d(x, y));

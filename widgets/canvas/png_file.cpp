@@ -53,7 +53,10 @@ std::string fact_chunks(const PngFacts& facts) {
   for (const auto& [keyword, text] : facts.texts) {
     NADIR_REQUIRE(!keyword.empty() && keyword.size() < 80);
     // Keyword, end; not compressed, by no method; no language, end; no translated keyword, end; text.
-    chunks += chunk("iTXt", keyword + std::string("\0\0\0\0\0", 5) + text);
+    std::string data = keyword;
+    data.append(5, '\0');
+    data += text;
+    chunks += chunk("iTXt", data);
   }
   return chunks;
 }

@@ -8,9 +8,9 @@
 
 namespace nadir {
 
-vtkStandardNewMacro(RenderWindow)
+RenderWindow* RenderWindow::New() { VTK_STANDARD_NEW_BODY(RenderWindow); }
 
-    RenderWindow::RenderWindow() {
+RenderWindow::RenderWindow() {
   SetFrameBlitModeToNoBlit();
   SetMultiSamples(0);
   SetOffScreenRendering(1);

@@ -221,6 +221,11 @@ TEST_P(TilesOfEverySize, AreAveragedWhereThePictureIsReduced) {
       const auto pixels = tiles.picture(tile).value();
       for (int row = 0; row < pixels.height(); row += 7) {
         for (int column = 0; column < pixels.width(); column += 7) {
+          // Overviews are JPEG again, whose last blocks of 16 x 16 also hold what lies beyond the border.
+          const bool is_whole_block =
+              (cells[0] + cells[2] < tiles.width() || column + 16 < pixels.width()) &&
+              (cells[1] + cells[3] < tiles.height() || row + 16 < pixels.height());
+          if (!is_whole_block) continue;
           Eigen::Vector3d sum = Eigen::Vector3d::Zero();
           int count = 0;
           for (int y = row * cells[3] / pixels.height(); y < (row + 1) * cells[3] / pixels.height();
@@ -233,11 +238,10 @@ TEST_P(TilesOfEverySize, AreAveragedWhereThePictureIsReduced) {
             }
           }
           const Eigen::Vector3d mean = sum / count;
-          // Overviews are JPEG again.
           const Colour& pixel = pixels.at(column, row);
-          ASSERT_NEAR(pixel.red, mean[0], 10) << level << " " << column << " " << row;
-          ASSERT_NEAR(pixel.green, mean[1], 10);
-          ASSERT_NEAR(pixel.blue, mean[2], 10);
+          ASSERT_NEAR(pixel.red, mean[0], 10.0) << level << " " << column << " " << row;
+          ASSERT_NEAR(pixel.green, mean[1], 10.0) << level << " " << column << " " << row;
+          ASSERT_NEAR(pixel.blue, mean[2], 10.0) << level << " " << column << " " << row;
         }
       }
     }

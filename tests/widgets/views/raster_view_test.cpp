@@ -177,7 +177,7 @@ TEST_F(RasterOnTheGround, MixesNeighboursOnlyWhereItIsSmooth) {
 }
 
 TEST_F(RasterOnTheGround, DrawsTheSameBytesTwice) {
-  const auto drawn = [this] {
+  const auto drawn = [] {
     MapScene other({100, 200});
     RasterView view(other, MapLayer::kPicture);
     view.show(numbered(6, 4), {101, 199.5, 0.3}, {0.77, 0.77}, true);
