@@ -113,14 +113,14 @@ class VtkWords {
   vtkNew<Ear> ear_;
 };
 
-inline constexpr Rgba kBlue{0, 114, 178, 255};
+inline constexpr Rgba kLineBlue{0, 114, 178, 255};
 inline constexpr Rgba kOrange{230, 159, 0, 255};
 inline constexpr Rgba kPaleBlue{0, 114, 178, 50};
 
 /// One line of n points, `step` apart in x.
 template <typename Function>
 LineSpec line_through(std::size_t n, double step, Function y) {
-  LineSpec line{.name = "line", .colour = kBlue};
+  LineSpec line{.name = "line", .colour = kLineBlue};
   for (std::size_t i = 0; i < n; ++i) {
     line.x.push_back(step * static_cast<double>(i));
     line.y.push_back(y(line.x.back()));

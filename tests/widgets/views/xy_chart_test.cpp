@@ -52,7 +52,7 @@ ChartSpec bars_spec() {
   spec.y.title = "MSE [m²]";
   spec.bars =
       BarsSpec{{"easy", "medium", "hard"},
-               {{"odometry", {4.0, 9.0, 14.0}, kOrange}, {"estimate", {0.5, 1.0, 2.0}, kBlue}},
+               {{"odometry", {4.0, 9.0, 14.0}, kOrange}, {"estimate", {0.5, 1.0, 2.0}, kLineBlue}},
                false};
   return spec;
 }
@@ -120,7 +120,7 @@ TEST(XyChart, HasAPlotForEachThingAndTheMomentLine) {
 TEST(XyChart, DrawsTheLineThroughItsData) {
   const ChartSpec spec = error_spec();
   const XyChart chart(spec, light(), kPxPerPt);
-  const auto lines = drawn(chart).strokes_in(kBlue);
+  const auto lines = drawn(chart).strokes_in(kLineBlue);
   ASSERT_THAT(lines, SizeIs(1));
   ASSERT_THAT(lines[0].points, SizeIs(101));
   for (std::size_t i = 0; i < 101; ++i) {
@@ -149,7 +149,7 @@ TEST(XyChart, ColoursThePixelsThatTheDataSay) {
   for (std::size_t i = 1; i < 100; ++i) {
     const Eigen::Vector2d at =
         chart.page_from_data({spec.lines[0].x[i], spec.lines[0].y[i]}, kWhere);
-    EXPECT_EQ(pixels.at(static_cast<int>(at.x()), kHeight - 1 - static_cast<int>(at.y())), kBlue)
+    EXPECT_EQ(pixels.at(static_cast<int>(at.x()), kHeight - 1 - static_cast<int>(at.y())), kLineBlue)
         << i;
   }
 }
@@ -163,7 +163,7 @@ TEST(XyChart, IsRightInTheFirstDrawAlsoFarFromZero) {
        {Numbers{1.7e9, 0.1, 0.0, 1.0}, Numbers{0.0, 1.0, 5e6, 0.01},
         Numbers{0.0, 1e-13, 0.0, 1e-15}, Numbers{-1e15, 1e13, 3e20, 1e19}}) {
     ChartSpec spec;
-    spec.lines.push_back({.colour = kBlue});
+    spec.lines.push_back({.colour = kLineBlue});
     spec.bands.push_back({.colour = kPaleBlue});
     for (int i = 0; i < 50; ++i) {
       const double x = numbers.from + numbers.step * i;
@@ -176,7 +176,7 @@ TEST(XyChart, IsRightInTheFirstDrawAlsoFarFromZero) {
     }
     const XyChart chart(spec, light(), kPxPerPt);
     const RecordingCanvas canvas = drawn(chart);
-    const auto lines = canvas.strokes_in(kBlue);
+    const auto lines = canvas.strokes_in(kLineBlue);
     ASSERT_THAT(lines, SizeIs(1));
     ASSERT_THAT(lines[0].points, SizeIs(50));
     for (std::size_t i = 0; i < 50; ++i) {
@@ -200,7 +200,7 @@ TEST(XyChart, DrawsTheSameEachTimeAlsoAfterAnotherPlace) {
   for (std::size_t i = 0; i < first.strokes.size(); ++i) {
     EXPECT_EQ(first.strokes[i].points, again.strokes[i].points);
   }
-  const Eigen::AlignedBox2d line = box_of(elsewhere.strokes_in(kBlue)[0].points);
+  const Eigen::AlignedBox2d line = box_of(elsewhere.strokes_in(kLineBlue)[0].points);
   EXPECT_GT(line.min().x(), 50.0);
   EXPECT_LT(line.max().x(), 350.0);
 }
@@ -208,7 +208,7 @@ TEST(XyChart, DrawsTheSameEachTimeAlsoAfterAnotherPlace) {
 TEST(XyChart, BreaksALineWhereItsDataDo) {
   ChartSpec spec = error_spec();
   for (std::size_t i = 40; i < 60; ++i) spec.lines[0].y[i] = kNan;
-  const auto lines = drawn(spec).strokes_in(kBlue);
+  const auto lines = drawn(spec).strokes_in(kLineBlue);
   ASSERT_THAT(lines, SizeIs(2));
   EXPECT_THAT(lines[0].points, SizeIs(40));
   EXPECT_THAT(lines[1].points, SizeIs(41));
@@ -216,9 +216,9 @@ TEST(XyChart, BreaksALineWhereItsDataDo) {
 
 TEST(XyChart, DrawsASinglePoint) {
   ChartSpec spec;
-  spec.lines.push_back({.x = {3.0}, .y = {2.0}, .colour = kBlue});
+  spec.lines.push_back({.x = {3.0}, .y = {2.0}, .colour = kLineBlue});
   const XyChart chart(spec, light(), kPxPerPt);
-  const auto lines = drawn(chart).strokes_in(kBlue);
+  const auto lines = drawn(chart).strokes_in(kLineBlue);
   ASSERT_THAT(lines, SizeIs(1));
   EXPECT_NEAR((box_of(lines[0].points).center() - chart.page_from_data({3.0, 2.0}, kWhere)).norm(),
               0.0, 0.01);
@@ -278,7 +278,7 @@ TEST(XyChart, PutsBarsBesideEachOtherOnTheAxis) {
   const XyChart chart(bars_spec(), light(), kPxPerPt);
   const RecordingCanvas canvas = drawn(chart);
   const auto left = canvas.fills_in(kOrange);
-  const auto right = canvas.fills_in(kBlue);
+  const auto right = canvas.fills_in(kLineBlue);
   ASSERT_THAT(left, SizeIs(3));
   ASSERT_THAT(right, SizeIs(3));
   const std::vector<double> heights = {4.0, 9.0, 14.0};
@@ -319,7 +319,7 @@ TEST(XyChart, StandsLogarithmicBarsOnTheLowEnd) {
   spec.bars->is_logarithmic = true;
   spec.bars->series[1].heights = {0.003, 0.05, 2.0};
   const XyChart chart(spec, light(), kPxPerPt);
-  const auto bars = drawn(chart).fills_in(kBlue);
+  const auto bars = drawn(chart).fills_in(kLineBlue);
   ASSERT_THAT(bars, SizeIs(3));
   const PageRect plot = chart.plot_area(kWhere);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -452,7 +452,7 @@ TEST(XyChart, DrawsNoMorePointsThanPixelsCanShow) {
   spec.lines.push_back(line_through(500'000, 1e-3, [](double x) { return std::sin(977.0 * x); }));
   spec.lines[0].y[123'456] = 5.0;
   const XyChart chart(spec, light(), kPxPerPt);
-  const auto lines = drawn(chart).strokes_in(kBlue);
+  const auto lines = drawn(chart).strokes_in(kLineBlue);
   ASSERT_THAT(lines, SizeIs(1));
   EXPECT_LE(lines[0].points.size(), 2.0 * chart.plot_area(kWhere).width + 2.0);
   EXPECT_NEAR(box_of(lines[0].points).max().y(), chart.page_from_data({0.0, 5.0}, kWhere).y(),
@@ -513,7 +513,7 @@ TEST(XyChart, DrawsUnusualDataWithoutAWordOfVtk) {
                                                    {-5.0, kNan, -5.0}};
   for (const auto& y : values) {
     ChartSpec spec;
-    spec.lines.push_back({.y = y, .colour = kBlue, .is_stepped = y.size() == 3});
+    spec.lines.push_back({.y = y, .colour = kLineBlue, .is_stepped = y.size() == 3});
     for (std::size_t i = 0; i < y.size(); ++i) spec.lines[0].x.push_back(static_cast<double>(i));
     spec.bands.push_back({.x = spec.lines[0].x, .low = y, .high = y, .colour = kPaleBlue});
     spec.levels.push_back({.y = y.empty() ? kNan : y[0]});
@@ -560,11 +560,11 @@ TEST(ChartLegend, ListsWhatHasAName) {
   spec.levels = {{"95 % bounds", 7.8, light().muted}, {"95 % bounds", 0.2, light().muted}};
   spec.bars = bars_spec().bars;
   EXPECT_THAT(legend_of(spec),
-              ElementsAre(LegendEntry{"line", kBlue, LegendEntry::Kind::kLine},
+              ElementsAre(LegendEntry{"line", kLineBlue, LegendEntry::Kind::kLine},
                           LegendEntry{"odometry", kOrange, LegendEntry::Kind::kDashed},
                           LegendEntry{"band", kPaleBlue, LegendEntry::Kind::kBand},
                           LegendEntry{"odometry", kOrange, LegendEntry::Kind::kBar},
-                          LegendEntry{"estimate", kBlue, LegendEntry::Kind::kBar},
+                          LegendEntry{"estimate", kLineBlue, LegendEntry::Kind::kBar},
                           LegendEntry{"95 % bounds", light().muted, LegendEntry::Kind::kDashed}));
 }
 
