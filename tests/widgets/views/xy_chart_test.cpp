@@ -149,7 +149,8 @@ TEST(XyChart, ColoursThePixelsThatTheDataSay) {
   for (std::size_t i = 1; i < 100; ++i) {
     const Eigen::Vector2d at =
         chart.page_from_data({spec.lines[0].x[i], spec.lines[0].y[i]}, kWhere);
-    EXPECT_EQ(pixels.at(static_cast<int>(at.x()), kHeight - 1 - static_cast<int>(at.y())), kLineBlue)
+    EXPECT_EQ(pixels.at(static_cast<int>(at.x()), kHeight - 1 - static_cast<int>(at.y())),
+              kLineBlue)
         << i;
   }
 }
