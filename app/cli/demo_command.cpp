@@ -61,7 +61,8 @@ Result<void> prepare_folder(const fs::path& folder,
 std::string what_next(const fs::path& folder) {
   const std::string program = program_name();
   return fmt::format(
-      "\nIn {0}: the map, the flight, the run, this table (table.txt, table.json) and every figure. Next:\n"
+      "\nIn {0}: the map, the flight, the run, this table (table.txt, table.json) and every "
+      "figure. Next:\n"
       "  the figures                     {0}/report/index.html in a browser\n"
       "  one of them, or a film          {1} figure moment --run {0}/run.nadir --out moment.mp4\n"
       "  what the overhead holds         {1} map info {0}/map\n"
@@ -80,7 +81,8 @@ struct DemoArguments {
 };
 
 void add_arguments(CLI::App& app, DemoArguments& values) {
-  app.add_option("--out", values.folder, "For map, flight, run, table and figures, default nadir-demo")
+  app.add_option("--out", values.folder,
+                 "For map, flight, run, table and figures, default nadir-demo")
       ->type_name("FOLDER");
   app.add_option("--seed", values.seed, "Of the flight and of the localiser, 0 or more, default 1")
       ->type_name("NUMBER");
@@ -112,9 +114,8 @@ Result<RunEvaluation> fly_and_localise(SimulateTask flight,
   }
   const ReportRequest report{{task.run->string()}, task.map.string(), {}};
   ProgressBar bar(err, task.is_quiet);
-  const WorkContext work{stop, [&bar](double fraction, const std::string& activity) {
-                           bar.show(fraction, activity);
-                         }};
+  const WorkContext work{
+      stop, [&bar](double fraction, const std::string& activity) { bar.show(fraction, activity); }};
   const auto drawn = write_report(report, folder / "report", work);
   if (!drawn) return forward_error(drawn);
   return std::move(result->evaluation);

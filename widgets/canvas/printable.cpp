@@ -51,4 +51,27 @@ std::string printable(const std::string& text) {
   return out;
 }
 
+std::string markup_text(const std::string& text) {
+  std::string out;
+  for (const char letter : printable(text)) {
+    switch (letter) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += letter;
+    }
+  }
+  return out;
+}
+
 }  // namespace nadir

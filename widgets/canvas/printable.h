@@ -9,4 +9,7 @@ namespace nadir {
 /// nothing more, and no browser opens the SVG), and without the control characters that XML 1.0 lacks.
 [[nodiscard]] std::string printable(const std::string& text);
 
+/// The same for the text and the attributes of XML and HTML, with &, <, > and " escaped.
+[[nodiscard]] std::string markup_text(const std::string& text);
+
 }  // namespace nadir

@@ -16,29 +16,6 @@
 namespace nadir {
 namespace {
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char letter : printable(text)) {
-    switch (letter) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += letter;
-    }
-  }
-  return out;
-}
-
 /// A hundredth of a pixel, without trailing zeros.
 std::string number(double value) {
   std::string text = fmt::format("{:.2f}", value);
@@ -76,8 +53,8 @@ SvgCanvas::SvgCanvas(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
       "width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\">\n<title>{}</title>\n",
       number(width * kCssPixelsPerInch / dpi), number(height * kCssPixelsPerInch / dpi), width,
-      height, escaped(title));
-  if (!metadata.empty()) svg_ += "<metadata>" + escaped(metadata) + "</metadata>\n";
+      height, markup_text(title));
+  if (!metadata.empty()) svg_ += "<metadata>" + markup_text(metadata) + "</metadata>\n";
 }
 
 std::string SvgCanvas::path_data(std::span<const Eigen::Vector2d> points) const {
@@ -132,7 +109,7 @@ void SvgCanvas::text(const Eigen::Vector2d& point,
     svg_ += fmt::format(" transform=\"rotate({} {} {})\"", number(-style.rotation_deg), x, y);
   }
   svg_ += " textLength=\"" + number(measure_text(line, style).width) + "\"" +
-          paint("fill", style.colour) + ">" + escaped(line) + "</text>\n";
+          paint("fill", style.colour) + ">" + markup_text(line) + "</text>\n";
 }
 
 void SvgCanvas::image(const PageRect& where, const Raster<Rgba>& pixels) {

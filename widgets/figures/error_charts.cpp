@@ -175,8 +175,7 @@ ChartSpec nees_chart(const FigureRun& run, const Theme& theme) {
   spec.x.title = kTimeTitle;
   spec.y.title = "NEES";
   spec.y.low = 0.0;
-  spec.lines.push_back(
-      {"NEES of a step", elapsed_of(run, series), series.nees, theme.estimate, 1.0});
+  spec.lines.push_back({"", elapsed_of(run, series), series.nees, theme.estimate, 1.0});
   spec.levels.push_back({"95 % bounds", chi_square_quantile(0.975, kFreedom), theme.bad, true});
   spec.levels.push_back({"95 % bounds", chi_square_quantile(0.025, kFreedom), theme.bad, true});
   spec.levels.push_back({"expected mean", kFreedom, theme.muted, false});
@@ -219,9 +218,9 @@ ChartSpec sample_size_chart(const FigureRun& run, const Theme& theme) {
 ChartSpec agreement_chart(std::span<const FigureRun> runs, const Theme& theme) {
   ChartSpec spec;
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    ChartSpec one = over_time(
-        runs[r], "agreement", runs.size() == 1 ? "agreement" : runs[r].name, run_colour(theme, r),
-        [](const RunStep& step) { return step.agreement.value_or(std::nan("")); });
+    ChartSpec one =
+        over_time(runs[r], "agreement", runs.size() == 1 ? "" : runs[r].name, run_colour(theme, r),
+                  [](const RunStep& step) { return step.agreement.value_or(std::nan("")); });
     if (r == 0) {
       spec = std::move(one);
     } else {
@@ -255,7 +254,7 @@ ChartSpec calibration_chart(const FigureRun& run, const Theme& theme) {
     all.push_back(distance2 ? 1.0 - std::exp(-*distance2 / 2.0) : 1.0);
   }
   std::sort(all.begin(), all.end());
-  LineSpec line{"this run", {0.0}, {0.0}, theme.estimate, 1.5};
+  LineSpec line{"", {0.0}, {0.0}, theme.estimate, 1.5};
   for (std::size_t i = 0; i < all.size(); ++i) {
     line.x.push_back(all[i]);
     line.y.push_back(static_cast<double>(i + 1) / static_cast<double>(all.size()));

@@ -150,8 +150,10 @@ class Surface : public Figure {
 
   [[nodiscard]] std::vector<LegendEntry> legend(const Theme& theme, const RunStep& step) const {
     std::vector<LegendEntry> entries = {
-        {"estimate", theme.estimate_on_imagery, LegendEntry::Kind::kDot}};
-    if (step.truth_in_enu) entries.push_back({"truth", theme.truth, LegendEntry::Kind::kDot});
+        {"estimate", theme.estimate_on_imagery, LegendEntry::Kind::kDot, theme.casing_on_imagery}};
+    if (step.truth_in_enu)
+      entries.push_back(
+          {"truth", theme.truth_on_imagery, LegendEntry::Kind::kDot, theme.casing_on_imagery});
     entries.push_back({"slice along east", theme.estimate, LegendEntry::Kind::kLine});
     entries.push_back({"along north", theme.second_run, LegendEntry::Kind::kLine});
     entries.push_back({"heading", theme.third_run, LegendEntry::Kind::kLine});

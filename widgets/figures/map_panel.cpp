@@ -70,6 +70,10 @@ double MapPanel::aspect() const {
   return size.x() / size.y();
 }
 
+bool MapPanel::shows_whole_map() const {
+  return options_.crop_width_m == 0.0 && (shown_.isEmpty() || shown_.isApprox(bounds_));
+}
+
 MapCamera MapPanel::camera_for(const PageRect& where) const {
   if (options_.crop_width_m > 0.0) {
     MapCamera camera;
@@ -79,7 +83,7 @@ MapCamera MapPanel::camera_for(const PageRect& where) const {
   }
   const Eigen::AlignedBox2d& shown = shown_.isEmpty() ? bounds_ : shown_;
   // Paths keep away from the border; the map as a whole fills the panel.
-  const double margin = shown.isApprox(bounds_) ? 0.0 : 0.08;
+  const double margin = shows_whole_map() ? 0.0 : 0.08;
   return MapCamera::fit(shown.min(), shown.max(), where, margin);
 }
 
@@ -91,8 +95,15 @@ Result<MapFrame> MapPanel::draw_ground(Canvas& canvas,
   // Whole pixels, so that the picture is not blurred.
   const double left = std::ceil(where.left + border.x());
   const double bottom = std::ceil(where.bottom + border.y());
-  const PageRect inside{left, bottom, std::max(1.0, std::floor(where.right() - left)),
-                        std::max(1.0, std::floor(where.top() - bottom))};
+  PageRect inside{left, bottom, std::max(1.0, std::floor(where.right() - left)),
+                  std::max(1.0, std::floor(where.top() - bottom))};
+  if (shows_whole_map()) {  // a frame of the map's own shape, at the top of the panel
+    const double aspect = bounds_.sizes().x() / bounds_.sizes().y();
+    const double top = inside.top();
+    inside.width = std::max(1.0, std::floor(std::min(inside.width, inside.height * aspect)));
+    inside.height = std::max(1.0, std::round(inside.width / aspect));
+    inside.bottom = top - inside.height;
+  }
   MapFrame frame{inside, camera_for(inside), format.px_per_pt()};
   const int width = static_cast<int>(inside.width);
   const int height = static_cast<int>(inside.height);

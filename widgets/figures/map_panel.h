@@ -53,6 +53,7 @@ class MapPanel {
   MapPanel(const ProjectPlane& plane,
            const Eigen::AlignedBox2d& bounds,
            const FigureOptions& options);
+  [[nodiscard]] bool shows_whole_map() const;
   [[nodiscard]] MapCamera camera_for(const PageRect& where) const;
 
   ProjectPlane plane_;

@@ -249,8 +249,10 @@ class Moment : public Figure {
       entries.push_back({"particles, light is heavy", value_colour(ValueColours::kViridis, 0.6),
                          LegendEntry::Kind::kDot});
     }
-    if (step.truth_in_enu)
-      entries.push_back({"agreement at truth", theme.muted, LegendEntry::Kind::kBar});
+    if (step.topview) {
+      entries.push_back({"agreement at estimate", theme.estimate, LegendEntry::Kind::kBar});
+    }
+    if (step.truth_in_enu) entries.push_back({"at truth", theme.muted, LegendEntry::Kind::kBar});
     return entries;
   }
 

@@ -13,6 +13,7 @@
 #include "core/base/staged_output.h"
 #include "core/base/version.h"
 #include "core/eval/report.h"
+#include "widgets/canvas/printable.h"
 
 namespace nadir {
 namespace {
@@ -25,29 +26,6 @@ Result<std::string> hash_of_file(const fs::path& path) {
   const auto bytes = read_text_file(path, std::numeric_limits<std::uintmax_t>::max());
   if (!bytes) return forward_error(bytes);
   return Hash().add(*bytes).text();
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += letter;
-    }
-  }
-  return out;
 }
 
 /// One figure of the report: what to draw and how its files are called.
@@ -123,15 +101,16 @@ std::string page_head(const std::string& title) {
       "figcaption {{ color: #667078; margin-bottom: .5rem }}\nimg {{ width: 100%; height: auto }}\n"
       "pre {{ font: 13px/1.4 'JetBrains Mono', 'DejaVu Sans Mono', monospace; overflow-x: auto }}\n"
       "a {{ color: #0B6FB8 }}\n</style>\n</head>\n<body>\n<h1>{}</h1>\n",
-      escaped(title), escaped(title));
+      markup_text(title), markup_text(title));
 }
 
 std::string figure_html(const Planned& figure) {
   std::string text = fmt::format(
       "<figure id=\"{0}\">\n<figcaption>{1}{2}</figcaption>\n"
       "<a href=\"{0}.png\"><img src=\"{0}.png\" alt=\"{1}\"></a>\n</figure>\n",
-      escaped(figure.file), escaped(figure.caption),
-      figure.has_vectors ? fmt::format(" (<a href=\"{}.svg\">SVG</a>)", escaped(figure.file)) : "");
+      markup_text(figure.file), markup_text(figure.caption),
+      figure.has_vectors ? fmt::format(" (<a href=\"{}.svg\">SVG</a>)", markup_text(figure.file))
+                         : "");
   return text;
 }
 
@@ -188,7 +167,7 @@ Result<ReportSummary> write_report(const ReportRequest& request,
       page_head("Nadir report: " + runs.front().reader.header().flight +
                 (runs.size() > 1 ? fmt::format(" and {} more", runs.size() - 1) : ""));
   const std::string table = report_as_text(evaluations);
-  page += "<pre>" + escaped(table) + "</pre>\n";
+  page += "<pre>" + markup_text(table) + "</pre>\n";
   for (std::size_t i = 0; i < planned.size(); ++i) {
     if (work.is_stopped()) return fail(ErrorCode::kCancelled, "the report was stopped");
     work.report(static_cast<double>(i) / static_cast<double>(planned.size()),
@@ -212,7 +191,8 @@ Result<ReportSummary> write_report(const ReportRequest& request,
   }
   if (!summary.left_out.empty()) {
     page += "<h2>Left out</h2>\n<ul>\n";
-    for (const std::string& words : summary.left_out) page += "<li>" + escaped(words) + "</li>\n";
+    for (const std::string& words : summary.left_out)
+      page += "<li>" + markup_text(words) + "</li>\n";
     page += "</ul>\n";
   }
   page += fmt::format(

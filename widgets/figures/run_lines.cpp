@@ -90,14 +90,16 @@ void draw_runs(Canvas& canvas,
 std::vector<LegendEntry> run_legend(std::span<const FigureRun> runs, const Theme& theme) {
   std::vector<LegendEntry> entries;
   const FigureRun& first = runs.front();
-  // Over imagery the truth is white, which paper does not show; its sample is drawn in the paper's colour for it.
-  if (first.has_truth()) entries.push_back({"truth", theme.truth, LegendEntry::Kind::kLine});
-  if (first.steps.front().odometry_in_enu) {
-    entries.push_back({"odometry (input)", theme.odometry, LegendEntry::Kind::kDashed});
-  }
+  const auto add = [&](const std::string& name, const PathLook& look) {
+    entries.push_back({name, look.colour,
+                       look.is_dashed ? LegendEntry::Kind::kDashed : LegendEntry::Kind::kLine,
+                       look.casing});
+  };
+  if (first.has_truth()) add("truth", truth_look(theme));
+  if (first.steps.front().odometry_in_enu) add("odometry (input)", odometry_look(theme));
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    entries.push_back({runs.size() == 1 ? "estimate with 1 and 3 sigma ellipses" : runs[r].name,
-                       estimate_look(theme, r).colour, LegendEntry::Kind::kLine});
+    add(runs.size() == 1 ? "estimate with 1 and 3 sigma ellipses" : runs[r].name,
+        estimate_look(theme, r));
   }
   return entries;
 }

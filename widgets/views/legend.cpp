@@ -50,6 +50,7 @@ void draw_sample(Canvas& canvas, const LegendEntry& entry, double left, double m
   const std::array<Eigen::Vector2d, 2> line = {Eigen::Vector2d(left, middle),
                                                Eigen::Vector2d(left + kSamplePt * px, middle)};
   const double width = 2.0 * px;
+  if (entry.casing.alpha > 0) canvas.stroke(line, {entry.casing, width + 1.4 * px});
   switch (entry.kind) {
     case LegendEntry::Kind::kLine:
       canvas.stroke(line, {entry.colour, width});
@@ -64,13 +65,17 @@ void draw_sample(Canvas& canvas, const LegendEntry& entry, double left, double m
       fill_rect(canvas, left + 4.5 * px, middle - 3.5 * px, 7.0 * px, 7.0 * px, entry.colour);
       break;
     case LegendEntry::Kind::kDot: {
-      std::vector<Eigen::Vector2d> dot;
-      for (int i = 0; i < 24; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / 24.0;
-        dot.emplace_back(left + kSamplePt / 2.0 * px + 2.5 * px * std::cos(angle),
-                         middle + 2.5 * px * std::sin(angle));
-      }
-      canvas.fill(dot, entry.colour);
+      const auto dot = [&](double radius) {
+        std::vector<Eigen::Vector2d> outline;
+        for (int i = 0; i < 24; ++i) {
+          const double angle = 2.0 * std::numbers::pi * i / 24.0;
+          outline.emplace_back(left + kSamplePt / 2.0 * px + radius * std::cos(angle),
+                               middle + radius * std::sin(angle));
+        }
+        return outline;
+      };
+      if (entry.casing.alpha > 0) canvas.fill(dot(3.2 * px), entry.casing);
+      canvas.fill(dot(2.5 * px), entry.colour);
       break;
     }
   }

@@ -15,6 +15,7 @@ struct LegendEntry {
   std::string name;
   Rgba colour;
   Kind kind = Kind::kLine;
+  Rgba casing{0, 0, 0, 0};  ///< Around a line that is drawn so; transparent: none.
   friend bool operator==(const LegendEntry&, const LegendEntry&) = default;
 };
 
