@@ -56,7 +56,8 @@ LineSpec slice(const ErrorSurface& surface, int axis, const std::string& name, R
   for (int i = 0; i < count; ++i) {
     std::array<int, 3> index = {grid.count_x / 2, grid.count_y / 2, grid.count_yaw / 2};
     index.at(static_cast<std::size_t>(axis)) = i;
-    const double offset = i - count / 2;
+    const int middle = count / 2;
+    const double offset = i - middle;
     line.x.push_back(axis == 2 ? Angle::radians(offset * grid.step_rad).degrees()
                                : offset * grid.step_m);
     line.y.push_back(surface.at(index[0], index[1], index[2]));

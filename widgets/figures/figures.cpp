@@ -62,6 +62,7 @@ Result<FigureKind> figure_kind(std::string_view name) {
                                   [name](const FigureKind& kind) { return kind.name == name; });
   if (found != kFigures.end()) return *found;
   std::vector<std::string> names;
+  names.reserve(kFigures.size());
   for (const FigureKind& kind : kFigures) names.emplace_back(kind.name);
   const std::string nearest = nearest_word(name, names);
   return fail(ErrorCode::kInvalidOptions, "'{}' is no figure{}", name,

@@ -108,8 +108,13 @@ class RouteFigure : public Figure {
     style.is_bold = true;
     style.colour = theme.text;
     for (std::size_t i = 0; i < route_.waypoints_in_enu_m.size(); ++i) {
-      draw_plate(canvas, frame->page(route_.waypoints_in_enu_m[i]), route_.waypoint_names[i], style,
-                 with_opacity(theme.page, 0.9), px);
+      const Eigen::Vector2d& point = route_.waypoints_in_enu_m[i];
+      if (route_.waypoint_names[i].empty()) {  // on the way between two that have a name
+        draw_path_mark(canvas, *frame, PathMark::kStart, point, 0.0, estimate_look(theme));
+      } else {
+        draw_plate(canvas, frame->page(point), route_.waypoint_names[i], style,
+                   with_opacity(theme.page, 0.9), px);
+      }
     }
     canvas.pop_clip();
     map_->draw_furniture(canvas, format, *frame);
@@ -148,7 +153,8 @@ class LabelsFigure : public Figure {
 
 }  // namespace
 
-Result<std::unique_ptr<Figure>> make_overhead_pair(FigureInputs inputs) {
+Result<std::unique_ptr<Figure>> make_overhead_pair(
+    FigureInputs inputs) {  // NOLINT(performance-unnecessary-value-param): as all
   const auto map = read_overhead_map(inputs.map);
   if (!map) return forward_error(map);
   const auto provenance = read_map_provenance(inputs.map);
@@ -161,7 +167,8 @@ Result<std::unique_ptr<Figure>> make_overhead_pair(FigureInputs inputs) {
                                         class_legend(*map, false), provenance_text(*provenance));
 }
 
-Result<std::unique_ptr<Figure>> make_labels(FigureInputs inputs) {
+Result<std::unique_ptr<Figure>> make_labels(
+    FigureInputs inputs) {  // NOLINT(performance-unnecessary-value-param): as all
   const auto map = read_overhead_map(inputs.map);
   if (!map) return forward_error(map);
   const auto provenance = read_map_provenance(inputs.map);
@@ -172,7 +179,8 @@ Result<std::unique_ptr<Figure>> make_labels(FigureInputs inputs) {
                                         provenance_text(*provenance) + " · share of all cells");
 }
 
-Result<std::unique_ptr<Figure>> make_route(FigureInputs inputs) {
+Result<std::unique_ptr<Figure>> make_route(
+    FigureInputs inputs) {  // NOLINT(performance-unnecessary-value-param): as all
   const std::filesystem::path file =
       inputs.route.empty() ? inputs.map / "routes" / "loop.toml" : inputs.route;
   auto route = read_route(file);

@@ -56,7 +56,9 @@ PageRect take_bottom(PageRect& rest, double height, double gap) {
   return strip;
 }
 
-std::vector<PageRect> columns(const PageRect& whole, std::vector<double> shares, double gap) {
+std::vector<PageRect> columns(const PageRect& whole,
+                              const std::vector<double>& shares,
+                              double gap) {
   std::vector<PageRect> made;
   for (const auto& [at, width] : cut(whole.width, shares, gap)) {
     made.push_back({whole.left + at, whole.bottom, width, whole.height});
@@ -64,7 +66,7 @@ std::vector<PageRect> columns(const PageRect& whole, std::vector<double> shares,
   return made;
 }
 
-std::vector<PageRect> rows(const PageRect& whole, std::vector<double> shares, double gap) {
+std::vector<PageRect> rows(const PageRect& whole, const std::vector<double>& shares, double gap) {
   std::vector<PageRect> made;
   for (const auto& [at, height] : cut(whole.height, shares, gap)) {
     made.push_back({whole.left, whole.top() - at - height, whole.width, height});

@@ -20,10 +20,10 @@ namespace nadir {
 [[nodiscard]] PageRect take_bottom(PageRect& rest, double height, double gap = 0.0);
 /// Side by side from the left, or one below the other from the top, with widths or heights in the given proportions.
 [[nodiscard]] std::vector<PageRect> columns(const PageRect& whole,
-                                            std::vector<double> shares,
+                                            const std::vector<double>& shares,
                                             double gap);
 [[nodiscard]] std::vector<PageRect> rows(const PageRect& whole,
-                                         std::vector<double> shares,
+                                         const std::vector<double>& shares,
                                          double gap);
 
 /// One line of small muted text below everything: cuts its strip off `rest`. A line too long for the page is broken.
