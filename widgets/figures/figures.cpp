@@ -88,6 +88,11 @@ Result<std::unique_ptr<Figure>> make_figure(const FigureRecipe& recipe) {
   const auto kind = figure_kind(recipe.figure);
   if (!kind) return forward_error(kind);
   if (auto valid = validate(recipe.options); !valid) return forward_error(valid);
+  constexpr double kLeastCropM = 0.1;  // less is no ground that a map could show, and no ticks fit
+  if (recipe.options.crop_width_m > 0.0 && recipe.options.crop_width_m < kLeastCropM) {
+    return fail(ErrorCode::kInvalidOptions, "--crop-width: {} is neither 0 nor at least {} m",
+                recipe.options.crop_width_m, kLeastCropM);
+  }
   if (auto enough = check_runs(*kind, recipe); !enough) return forward_error(enough);
   FigureInputs inputs;
   inputs.options = recipe.options;

@@ -128,6 +128,9 @@ TEST_F(Figures, AreRefusedByOneSentence) {
   FigureRecipe never = recipe("flight", {run});
   never.options.from_s = 500.0;
   EXPECT_THAT(fault(never), HasSubstr("has no step from 500 s"));
+  FigureRecipe tiny = recipe("labels", {});
+  tiny.options.crop_width_m = 1e-13;
+  EXPECT_EQ(fault(tiny), "--crop-width: 1e-13 is neither 0 nor at least 0.1 m");
   FigureRecipe nothing = recipe("labels", {});
   nothing.map.clear();
   EXPECT_EQ(fault(nothing), "figure 'labels' needs a map (--map FOLDER)");
