@@ -63,6 +63,10 @@ Result<FilmSummary> write_film(Figure& figure,
     return fail(ErrorCode::kUnsupported, "{}: this figure has no times, so it makes no film",
                 path.string());
   }
+  if (context.format().is_transparent) {
+    return fail(ErrorCode::kInvalidOptions, "{}: a film has no transparency (--transparent)",
+                path.string());
+  }
   const double from_s = std::max(options.from_s, times->first_s);
   const double to_s = std::min(options.to_s, times->last_s);
   const double step_s = options.speed / options.fps;

@@ -196,6 +196,11 @@ TEST_F(Figures, MakeAFilmOfTheTimesAskedFor) {
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("has no times"));
   EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "none.mp4"));
+  format.is_transparent = true;
+  FigureContext clear(format);
+  const auto black = write_film(**figure, clear, {}, scratch_.path() / "none.mp4", {});
+  ASSERT_FALSE(black);
+  EXPECT_THAT(black.error().message, HasSubstr("a film has no transparency"));
 }
 
 TEST_F(Figures, StopAFilmWithoutLeavingAPiece) {
