@@ -3,7 +3,8 @@
 # ../shared/data where that is there; without them the tests that need them are skipped.
 #
 #   bash tests/run.sh            format, dev build, all tests
-#   bash tests/run.sh --all      the same, then AddressSanitizer + UBSan + fuzzers, ThreadSanitizer and clang-tidy (CI)
+#   bash tests/run.sh --all      the same with several sources compiled at once, then clang-tidy, ThreadSanitizer,
+#                                AddressSanitizer + UBSan and fuzzers (CI)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -23,9 +24,12 @@ check() {  # check PRESET: build and test
 
 step 'format'
 find core widgets app maps tests -name '*.h' -print0 -o -name '*.cpp' -print0 | xargs -0 clang-format-14 --dry-run -Werror
-step 'dev build and tests'
-check dev
-if [ "${1:-}" = --all ]; then
+if [ "${1:-}" != --all ]; then
+  step 'dev build and tests'
+  check dev
+else
+  step 'build and tests'
+  check ci
   step 'clang-tidy'
   bash tests/tidy.sh
   step 'ThreadSanitizer'

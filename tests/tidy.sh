@@ -2,7 +2,9 @@
 # clang-tidy on the sources that have not been found clean as they are, with the headers and the rules as they are; what was
 # found clean is remembered in the user's cache folder, as ccache does.
 #
-#   bash tests/tidy.sh [FILE...]     the files named, or all of core, app and maps
+#   bash tests/tidy.sh [FILE...]     the files named, or all of core, widgets, app and maps
+#
+# Sources are checked as the tidy preset unites them, several of a module at once, since headers take most of the time.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -24,5 +26,11 @@ check() {  # check FILE CLEAN
   touch "$key"
 }
 export -f check
-if [ $# -gt 0 ]; then printf '%s\0' "$@"; else find core widgets app maps -name '*.cpp' -print0; fi |
-  xargs -0 -P 2 -I{} bash -c 'check "$1" "$2"' _ {} "$clean" | { checked=$(wc -l); echo "clang-tidy: $checked files checked and clean"; }
+units=$(grep -o '"file": "[^"]*"' build/tidy/compile_commands.json | cut -d'"' -f4 | grep -Ev "^$PWD/(build/tidy/)?tests/")
+if [ $# -gt 0 ]; then  # those that are among the files named, or include one of them
+  named=$(realpath "$@")
+  # shellcheck disable=SC2086  # one word a file
+  units=$({ grep -xF "$named" <<<"$units"; grep -lF "$named" $units; } || true)
+fi
+sort -u <<<"$units" | xargs -P 2 -I{} bash -c 'check "$1" "$2"' _ {} "$clean" |
+  { checked=$(wc -l); echo "clang-tidy: $checked files checked and clean"; }

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kBundledMap = "maps/proving-ground";
 
-constexpr const char* kName = "nadir demo";
+constexpr const char* kDemoName = "nadir demo";
 
 /// Makes the folder of the demo with a copy of the map, so that it can be moved or sent as a whole. A map that is there
 /// already is left alone: somebody may have worked on it. @errors kNotFound: no map to copy; kCancelled; kIo.
@@ -124,7 +124,8 @@ Result<RunEvaluation> fly_and_localise(SimulateTask flight,
 }  // namespace
 
 int run_demo(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
-  CLI::App app("Makes a flight over the bundled town, localises it and prints the errors", kName);
+  CLI::App app("Makes a flight over the bundled town, localises it and prints the errors",
+               kDemoName);
   DemoArguments values;
   add_arguments(app, values);
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
@@ -133,7 +134,7 @@ int run_demo(std::span<const std::string> arguments, std::ostream& out, std::ost
   flight.is_quiet = task.is_quiet = values.is_quiet;
   for (const auto& set : {set_option(flight.options, "seed", values.seed),
                           set_option(task.request.options, "seed", values.seed)}) {
-    if (!set) return report_flags_error(err, kName, set.error());
+    if (!set) return report_flags_error(err, kDemoName, set.error());
   }
 
   const ThreadLimit limit(values.threads);

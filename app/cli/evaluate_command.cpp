@@ -13,7 +13,7 @@
 namespace nadir::cli {
 namespace {
 
-constexpr const char* kName = "nadir evaluate";
+constexpr const char* kEvaluateName = "nadir evaluate";
 
 struct EvaluateArguments {
   std::vector<std::string> runs;
@@ -109,13 +109,14 @@ std::string report(const EvaluateArguments& values, std::span<const RunEvaluatio
 }  // namespace
 
 int run_evaluate(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
-  CLI::App app("Prints the errors of recorded runs: estimate against odometry input", kName);
+  CLI::App app("Prints the errors of recorded runs: estimate against odometry input",
+               kEvaluateName);
   EvaluateArguments values;
   add_arguments(app, values);
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
 
   if (const auto checked = check_outputs(values); !checked) {
-    return report_misuse(err, kName, checked.error().message);
+    return report_misuse(err, kEvaluateName, checked.error().message);
   }
   std::vector<RunEvaluation> evaluations;
   for (const std::string& run : values.runs) {

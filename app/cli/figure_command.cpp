@@ -15,7 +15,7 @@
 namespace nadir::cli {
 namespace {
 
-constexpr const char* kName = "nadir figure";
+constexpr const char* kFigureName = "nadir figure";
 
 struct FigureArguments {
   std::string figure, out, map, route, recreated;
@@ -84,15 +84,15 @@ Result<FigureRecipe> recipe_of(const FigureArguments& values) {
 }  // namespace
 
 int run_figure(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
-  CLI::App app("Draws a figure of a recorded run or of a map, without a display", kName);
+  CLI::App app("Draws a figure of a recorded run or of a map, without a display", kFigureName);
   FigureArguments values;
   add_arguments(app, values);
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
   if (values.figure.empty() && values.recreated.empty()) {
-    return report_misuse(err, kName, "FIGURE is missing");
+    return report_misuse(err, kFigureName, "FIGURE is missing");
   }
   const auto recipe = recipe_of(values);
-  if (!recipe) return report_flags_error(err, kName, recipe.error());
+  if (!recipe) return report_flags_error(err, kFigureName, recipe.error());
   const Interrupt interrupt;
   ProgressBar bar(err, values.is_quiet);
   const WorkContext work{interrupt.token(), [&bar](double fraction, const std::string& activity) {
@@ -100,7 +100,7 @@ int run_figure(std::span<const std::string> arguments, std::ostream& out, std::o
                          }};
   const auto drawn =
       values.out == "-" ? stream_figure(*recipe, out) : write_figure(*recipe, values.out, work);
-  if (!drawn) return report_flags_error(err, kName, drawn.error());
+  if (!drawn) return report_flags_error(err, kFigureName, drawn.error());
   return kDone;
 }
 

@@ -24,7 +24,7 @@ struct LocaliseArguments {
   OptionFlags options;
 };
 
-constexpr const char* kName = "nadir localise";
+constexpr const char* kLocaliseName = "nadir localise";
 
 void add_start_flags(CLI::App& app, LocaliseArguments& values) {
   CLI::Option* prior =
@@ -153,15 +153,15 @@ Result<LocaliseTask> task_of(const LocaliseArguments& values) {
 }  // namespace
 
 int run_localise(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
-  CLI::App app("Localises a recorded flight on a labelled overhead", kName);
+  CLI::App app("Localises a recorded flight on a labelled overhead", kLocaliseName);
   LocaliseArguments values;
   add_arguments(app, values);
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
   if (const auto checked = check_outputs(values); !checked) {
-    return report_misuse(err, kName, checked.error().message);
+    return report_misuse(err, kLocaliseName, checked.error().message);
   }
   const auto task = task_of(values);
-  if (!task) return report_flags_error(err, kName, task.error());
+  if (!task) return report_flags_error(err, kLocaliseName, task.error());
 
   const ThreadLimit limit(values.threads);
   const Interrupt interrupt;

@@ -13,7 +13,7 @@
 namespace nadir::cli {
 namespace {
 
-constexpr const char* kName = "nadir report";
+constexpr const char* kReportName = "nadir report";
 
 struct ReportArguments {
   ReportRequest request;
@@ -40,7 +40,7 @@ void add_arguments(CLI::App& app, ReportArguments& values) {
 }  // namespace
 
 int run_report(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
-  CLI::App app("Draws every figure of recorded runs, with a page that shows them", kName);
+  CLI::App app("Draws every figure of recorded runs, with a page that shows them", kReportName);
   ReportArguments values;
   add_arguments(app, values);
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
@@ -55,7 +55,7 @@ int run_report(std::span<const std::string> arguments, std::ostream& out, std::o
                            }};
     summary = write_report(values.request, values.folder, work);
   }
-  if (!summary) return report_flags_error(err, kName, summary.error());
+  if (!summary) return report_flags_error(err, kReportName, summary.error());
   if (!values.is_quiet) {
     for (const std::string& words : summary->left_out) err << "left out: " << words << "\n";
     err << fmt::format("{} figures in {}; open {}/index.html\n", summary->figures, values.folder,

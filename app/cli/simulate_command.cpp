@@ -22,7 +22,7 @@ struct SimulateArguments {
   OptionFlags options;
 };
 
-constexpr const char* kName = "nadir simulate";
+constexpr const char* kSimulateName = "nadir simulate";
 
 void add_path_flags(CLI::App& app, SimulateArguments& values) {
   CLI::Option* route =
@@ -86,7 +86,7 @@ Result<FlownPath> recorded_path(const SimulateArguments& values, double camera_h
 }  // namespace
 
 int run_simulate(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
-  CLI::App app("Makes a flight with known truth on a labelled overhead", kName);
+  CLI::App app("Makes a flight with known truth on a labelled overhead", kSimulateName);
   SimulateArguments values;
   add_arguments(app, values);
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
@@ -98,12 +98,12 @@ int run_simulate(std::span<const std::string> arguments, std::ostream& out, std:
   task.is_quiet = values.is_quiet;
   for (const auto& [name, text] : values.options) {
     if (const auto set = set_option(task.options, name, text); !set) {
-      return report_flags_error(err, kName, set.error());
+      return report_flags_error(err, kSimulateName, set.error());
     }
   }
   if (!values.truth.empty()) {
     auto path = recorded_path(values, task.options.camera_height_m);
-    if (!path) return report_flags_error(err, kName, path.error());
+    if (!path) return report_flags_error(err, kSimulateName, path.error());
     task.path = std::move(*path);
   }
   if (!values.truth.empty() && values.start.empty() && !values.is_quiet) {

@@ -25,7 +25,9 @@ add_compile_options(-ffp-contract=off)
 function(nadir_warnings target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual
-    $<$<BOOL:${NADIR_WARNINGS_ARE_ERRORS}>:-Werror>)
+    $<$<BOOL:${NADIR_WARNINGS_ARE_ERRORS}>:-Werror>
+    # A type of one source's own looks like a header's where sources are united.
+    $<$<AND:$<BOOL:${NADIR_UNITE_SOURCES}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>)
 endfunction()
 
 # nadir_add_module(core/mcl SOURCES a.cpp DEPENDS core/map PUBLIC_LIBRARIES x PRIVATE_LIBRARIES y)
