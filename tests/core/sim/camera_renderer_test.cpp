@@ -67,7 +67,7 @@ Seen walk_ray(const World& world,
 TEST(CameraRenderer, AgreesWithARayThatIsWalkedInTinySteps) {
   const OverheadMap map = street_map();
   World world = raise_world(map, {}, 4);
-  const CameraModel small = camera(64, 48);
+  const CameraModel small = camera(40, 30);
   int pixels = 0;
   int differing_labels = 0;
   int differing_depths = 0;
