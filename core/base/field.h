@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -35,9 +36,22 @@ template <typename Enum>
   return EnumNames<Enum>::kNames[static_cast<std::size_t>(value)];
 }
 
+/// A value that is neither number nor boolean nor choice and has a text of its own ("1600x1000"): kForm names what the
+/// text looks like, from_text() reads it and check() asks for its range. Their errors follow the option's name.
+template <typename T>
+concept OwnText = requires(const T& value, std::string_view text) {
+  { T::kForm } -> std::convertible_to<std::string_view>;
+  { T::from_text(text) } -> std::same_as<Result<T>>;
+  { value.text() } -> std::same_as<std::string>;
+  { value.check() } -> std::same_as<Result<void>>;
+};
+
+enum class OptionKind { kNumber, kBoolean, kChoice, kOwnText };
+
 /// One option as text, for help pages, recipes and the run file.
 struct OptionText {
   std::string name, value, unit, help, range;
+  OptionKind kind = OptionKind::kNumber;
 };
 
 namespace detail {
@@ -63,6 +77,13 @@ Result<void> parse_into(T& value, const Field& field, std::string_view text) {
     const auto parsed = parse_choice(field, text, names.data(), names.size());
     if (!parsed) return forward_error(parsed);
     value = static_cast<T>(*parsed);
+  } else if constexpr (OwnText<T>) {
+    auto parsed = T::from_text(text);
+    if (!parsed) return forward_error(parsed, fmt::format("--{}", field.name));
+    if (const auto valid = parsed->check(); !valid) {
+      return forward_error(valid, fmt::format("--{}", field.name));
+    }
+    value = std::move(*parsed);
   } else if constexpr (std::is_integral_v<T>) {
     const auto parsed = parse_whole(field, text);
     if (!parsed) return forward_error(parsed);
@@ -85,9 +106,18 @@ std::string value_text(const T& value) {
     return value ? "true" : "false";
   } else if constexpr (std::is_enum_v<T>) {
     return std::string(enum_name(value));
+  } else if constexpr (OwnText<T>) {
+    return value.text();
   } else {
     return fmt::format("{}", value);
   }
+}
+
+template <typename T>
+constexpr OptionKind option_kind() {
+  if (std::is_same_v<T, bool>) return OptionKind::kBoolean;
+  if (std::is_enum_v<T>) return OptionKind::kChoice;
+  return OwnText<T> ? OptionKind::kOwnText : OptionKind::kNumber;
 }
 }  // namespace detail
 
@@ -99,7 +129,11 @@ template <typename Options>
   Result<void> outcome;
   visit_fields(options, [&](const auto& value, const Field& field) {
     using T = std::decay_t<decltype(value)>;
-    if constexpr (!std::is_same_v<T, bool> && !std::is_enum_v<T>) {
+    if constexpr (OwnText<T>) {
+      if (const auto valid = value.check(); outcome && !valid) {
+        outcome = forward_error(valid, fmt::format("--{}", field.name));
+      }
+    } else if constexpr (!std::is_same_v<T, bool> && !std::is_enum_v<T>) {
       if (outcome) outcome = detail::check_range(field, static_cast<double>(value));
     }
   });
@@ -115,11 +149,13 @@ template <typename Options>
     std::string range;
     if constexpr (std::is_enum_v<T>) {
       range = detail::choices_text(EnumNames<T>::kNames.data(), EnumNames<T>::kNames.size());
+    } else if constexpr (OwnText<T>) {
+      range = T::kForm;
     } else if constexpr (!std::is_same_v<T, bool>) {
       range = detail::range_text(field);
     }
     texts.push_back({std::string(field.name), detail::value_text(value), std::string(field.unit),
-                     std::string(field.help), std::move(range)});
+                     std::string(field.help), std::move(range), detail::option_kind<T>()});
   });
   return texts;
 }

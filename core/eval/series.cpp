@@ -103,6 +103,48 @@ ErrorSeries error_series(std::span<const EvaluatedStep> steps) {
   return series;
 }
 
+std::vector<std::size_t> time_gaps(std::span<const double> time_s, double most_periods) {
+  if (time_s.size() < 2) return {};
+  std::vector<double> periods(time_s.size() - 1);
+  for (std::size_t i = 1; i < time_s.size(); ++i) periods[i - 1] = time_s[i] - time_s[i - 1];
+  // Of an even number the lower one in the middle: half of all distances being gaps is none the less seen.
+  std::vector<double> ordered = periods;
+  const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>((ordered.size() - 1) / 2);
+  std::nth_element(ordered.begin(), middle, ordered.end());
+  std::vector<std::size_t> gaps;
+  for (std::size_t i = 0; i < periods.size(); ++i) {
+    if (periods[i] > most_periods * *middle) gaps.push_back(i + 1);
+  }
+  return gaps;
+}
+
+std::vector<std::size_t> gaps_of(const ErrorSeries& series) {
+  std::vector<std::size_t> gaps = time_gaps(series.time_s);
+  std::size_t usual = std::numeric_limits<std::size_t>::max();
+  for (std::size_t i = 1; i < series.step.size(); ++i) {
+    usual = std::min(usual, series.step[i] - series.step[i - 1]);
+  }
+  for (std::size_t i = 1; i < series.step.size(); ++i) {
+    if (series.step[i] - series.step[i - 1] > usual) gaps.push_back(i);
+  }
+  std::sort(gaps.begin(), gaps.end());
+  gaps.erase(std::unique(gaps.begin(), gaps.end()), gaps.end());
+  return gaps;
+}
+
+std::vector<double> broken_at(std::span<const std::size_t> gaps, std::span<const double> values) {
+  NADIR_REQUIRE(std::is_sorted(gaps.begin(), gaps.end()));
+  NADIR_REQUIRE(gaps.empty() || gaps.back() < values.size());
+  std::vector<double> broken;
+  broken.reserve(values.size() + gaps.size());
+  auto gap = gaps.begin();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (; gap != gaps.end() && *gap == i; ++gap) broken.push_back(kUnknown);
+    broken.push_back(values[i]);
+  }
+  return broken;
+}
+
 CumulativeDistribution cumulative_distribution(std::vector<double> values) {
   std::erase_if(values, [](double value) { return std::isnan(value); });
   std::sort(values.begin(), values.end());

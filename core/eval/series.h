@@ -29,6 +29,20 @@ struct ErrorSeries {
 /// @param steps  In order of time. Poses need not be finite. O(n).
 [[nodiscard]] ErrorSeries error_series(std::span<const EvaluatedStep> steps);
 
+/// Where a line through points at these times has to break: every i whose distance from i - 1 is more than so many times
+/// the median distance. Ascending. @param time_s  Never falling. O(n).
+[[nodiscard]] std::vector<std::size_t> time_gaps(std::span<const double> time_s,
+                                                 double most_periods = 5.0);
+
+/// The same of a series, and every i that has steps without truth before it. Where no two steps in a row have truth, it is
+/// known at a lower rate than the estimate, and the least distance of two elements, in steps, is the usual one.
+[[nodiscard]] std::vector<std::size_t> gaps_of(const ErrorSeries& series);
+
+/// The values with a NaN put before those of the given indices, which breaks a line or band there.
+/// @param gaps  Ascending, each below the number of values.
+[[nodiscard]] std::vector<double> broken_at(std::span<const std::size_t> gaps,
+                                            std::span<const double> values);
+
 /// How large a share of some values is at most so large.
 struct CumulativeDistribution {
   std::vector<double> value;  ///< Rising.

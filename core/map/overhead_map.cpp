@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/base/hash.h"
 #include "core/map/class_statistics.h"
 
 namespace nadir {
@@ -27,6 +28,17 @@ ClassId OverheadMap::class_at(const Eigen::Vector2d& point_in_enu_m) const {
   if (!is_on(labels, point_in_overhead)) return kUnclassified;
   return labels.at(static_cast<int>(point_in_overhead.x()),
                    static_cast<int>(point_in_overhead.y()));
+}
+
+std::string content_hash(const OverheadMap& map) {
+  return Hash()
+      .add_number(map.plane.origin().latitude_deg)
+      .add_number(map.plane.origin().longitude_deg)
+      .add(map.top_left_in_enu_m.data(), 2 * sizeof(double))
+      .add_number(map.metres_per_cell)
+      .add_number(map.labels.width())
+      .add(map.labels.data(), map.labels.size())
+      .text();
 }
 
 Result<void> check_usable_for_localising(const OverheadMap& map) {

@@ -39,6 +39,9 @@ struct OverheadMap {
   [[nodiscard]] double height_m() const { return metres_per_cell * labels.height(); }
 };
 
+/// Hexadecimal, of plane, place, resolution and labels: tells whether a map is still the one that a run was made on.
+[[nodiscard]] std::string content_hash(const OverheadMap& map);
+
 /// Checks what every user of a map relies on. @errors kMalformed: "NAME: no cell has a class",
 /// "only one class", bad resolution.
 [[nodiscard]] Result<void> check_usable_for_localising(const OverheadMap& map);

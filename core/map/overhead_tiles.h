@@ -24,7 +24,8 @@ struct TileAddress {
 inline constexpr int kTileSide = 512;
 
 /// The rasters of a map package piece by piece, for looking at maps of any size: opening reads no pixels, and a tile costs
-/// what its own pixels cost, by way of the file's overviews. Not to be shared between threads.
+/// what its own pixels cost, by way of the file's overviews. Those that write_overhead_map makes have them; of a file without
+/// any, a coarse tile costs all the cells that it covers. Not to be shared between threads.
 class OverheadTiles {
  public:
   enum class Layer { kPicture, kLabels };

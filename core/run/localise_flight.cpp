@@ -198,14 +198,7 @@ RunHeader run_header(const FlightRecording& flight,
   header.seed = request.options.localiser.seed;
   header.plane_latitude_deg = map.plane.origin().latitude_deg;
   header.plane_longitude_deg = map.plane.origin().longitude_deg;
-  header.map_hash = Hash()
-                        .add_number(map.plane.origin().latitude_deg)
-                        .add_number(map.plane.origin().longitude_deg)
-                        .add(map.top_left_in_enu_m.data(), 2 * sizeof(double))
-                        .add_number(map.metres_per_cell)
-                        .add_number(map.labels.width())
-                        .add(map.labels.data(), map.labels.size())
-                        .text();
+  header.map_hash = content_hash(map);
   header.flight_hash = hash_of(description);
   for (const OptionText& option : option_texts(request.options)) {
     header.options[option.name] = option.value;

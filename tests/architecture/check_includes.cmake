@@ -51,6 +51,9 @@ endfunction()
 
 forbid(core "vtk[A-Z]|imgui|GLFW/|GL/|CLI/|widgets/|app/|tests/")
 forbid(widgets "CLI/|app/|tests/")
+foreach(folder canvas views figures)  # windows and contexts are made in widgets/gl alone
+  forbid(widgets/${folder} "GLFW/|EGL/")
+endforeach()
 forbid(app "tests/")
 forbid(maps "app/|tests/|core/(topview|mcl|flight|sim|eval|run|session)/")
 forbid(core/base "core/(geo|map|label|segment|topview|mcl|flight|sim|eval|run|session)/")

@@ -115,7 +115,9 @@ Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create() {
     }
     complaints += fmt::format("{}{} {}", complaints.empty() ? "" : ", ", candidate.name, complaint);
   }
-  return fail(ErrorCode::kUnsupported, "OpenGL without a display is not to be had here ({})",
+  return fail(ErrorCode::kUnsupported,
+              "OpenGL without a display is not to be had here ({}); Mesa's EGL driver draws "
+              "without a graphics card",
               complaints.empty() ? "this EGL knows no platforms" : complaints);
 }
 

@@ -42,8 +42,24 @@ OffscreenRenderer::OffscreenRenderer(std::unique_ptr<OffscreenContext> context)
 
 OffscreenRenderer::~OffscreenRenderer() {
   context_->make_current();
-  if (attached_ != nullptr) window_->RemoveRenderer(attached_);
+  for (vtkRenderer* const scene : attached_) window_->RemoveRenderer(scene);
   window_->Finalize();
+}
+
+void OffscreenRenderer::attach(vtkRenderer& scene) {
+  constexpr std::size_t kMostAttached = 4;
+  const auto known = std::find(attached_.begin(), attached_.end(), &scene);
+  if (known != attached_.end()) {
+    std::rotate(known, known + 1, attached_.end());
+  } else {
+    if (attached_.size() == kMostAttached) {
+      window_->RemoveRenderer(attached_.front());
+      attached_.erase(attached_.begin());
+    }
+    window_->AddRenderer(&scene);
+    attached_.push_back(&scene);
+  }
+  for (vtkRenderer* const each : attached_) each->SetDraw(each == &scene ? 1 : 0);
 }
 
 Result<Raster<Rgba>> OffscreenRenderer::render(vtkRenderer& scene,
@@ -51,18 +67,12 @@ Result<Raster<Rgba>> OffscreenRenderer::render(vtkRenderer& scene,
                                                int height,
                                                int supersampling) {
   NADIR_REQUIRE(width > 0 && height > 0 && supersampling > 0);
-  // Of every OpenGL 3.3 driver that is in use.
-  constexpr int kMaxSide = 16'384;
-  if (width * supersampling > kMaxSide || height * supersampling > kMaxSide) {
+  if (width * supersampling > kMostSide || height * supersampling > kMostSide) {
     return fail(ErrorCode::kUnsupported, "{} x {} pixels are more than OpenGL can draw at once",
                 width * supersampling, height * supersampling);
   }
   context_->make_current();
-  if (attached_ != &scene) {
-    if (attached_ != nullptr) window_->RemoveRenderer(attached_);
-    window_->AddRenderer(&scene);
-    attached_ = &scene;
-  }
+  attach(scene);
   window_->SetSize(width * supersampling, height * supersampling);
   window_->Render();
   vtkNew<vtkUnsignedCharArray> read;

@@ -4,6 +4,7 @@
 #include <vtkNew.h>
 
 #include <memory>
+#include <vector>
 
 #include "core/base/result.h"
 #include "widgets/canvas/canvas.h"
@@ -17,14 +18,17 @@ namespace nadir {
 /// Draws VTK scenes to pixels without a display. One thread.
 class OffscreenRenderer {
  public:
+  /// Longest side of what is drawn at once, pixels, supersampling included: that of every OpenGL 3.3 driver in use.
+  static constexpr int kMostSide = 16'384;
+
   /// @errors kUnsupported: no OpenGL, see OffscreenContext::create.
   [[nodiscard]] static Result<std::unique_ptr<OffscreenRenderer>> create();
   ~OffscreenRenderer();
   OffscreenRenderer(const OffscreenRenderer&) = delete;
   OffscreenRenderer& operator=(const OffscreenRenderer&) = delete;
 
-  /// The scene as its camera sees it; transparent where it has no background. The renderer stays attached until another
-  /// one is drawn, so that a film uploads its textures once.
+  /// The scene as its camera sees it; transparent where it has no background. The last four renderers stay
+  /// attached, so that a film uploads its textures once.
   /// @param supersampling  Drawn that many times larger each way and averaged: edges become smooth.
   /// @errors kUnsupported: larger than the graphics driver can draw.
   [[nodiscard]] Result<Raster<Rgba>> render(vtkRenderer& scene,
@@ -34,9 +38,11 @@ class OffscreenRenderer {
 
  private:
   explicit OffscreenRenderer(std::unique_ptr<OffscreenContext> context);
+  void attach(vtkRenderer& scene);
+
   std::unique_ptr<OffscreenContext> context_;  ///< Before the window, which needs it to the end.
   vtkNew<RenderWindow> window_;
-  vtkRenderer* attached_ = nullptr;
+  std::vector<vtkRenderer*> attached_;  ///< The one drawn last at the end; the window keeps them.
 };
 
 }  // namespace nadir

@@ -6,11 +6,14 @@
 
 #include <array>
 
+#include "widgets/gl/vtk_messages.h"
+
 namespace nadir {
 
 RenderWindow* RenderWindow::New() { VTK_STANDARD_NEW_BODY(RenderWindow); }
 
 RenderWindow::RenderWindow() {
+  send_vtk_messages_to_log();
   SetFrameBlitModeToNoBlit();
   SetMultiSamples(0);
   SetOffScreenRendering(1);

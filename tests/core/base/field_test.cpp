@@ -159,5 +159,48 @@ TEST(OptionTexts, ReadBackAsTheSameOptions) {
 
 TEST(EnumName, IsTheNameInTheList) { EXPECT_EQ(enum_name(Colour::kGreen), "green"); }
 
+/// A value with a text of its own: "3:4".
+struct Share {
+  int part = 1, whole = 2;
+  static constexpr std::string_view kForm = "PART:WHOLE";
+  static Result<Share> from_text(std::string_view text) {
+    if (text.size() != 3 || text[1] != ':') {
+      return fail(ErrorCode::kInvalidOptions, "'{}' is no share", text);
+    }
+    return Share{text[0] - '0', text[2] - '0'};
+  }
+  [[nodiscard]] std::string text() const { return fmt::format("{}:{}", part, whole); }
+  [[nodiscard]] Result<void> check() const {
+    if (part <= whole) return {};
+    return fail(ErrorCode::kInvalidOptions, "{} is more than all", text());
+  }
+};
+
+struct SharedOptions {
+  Share share;
+  bool is_even = false;
+};
+
+template <class Options, class Visitor>
+requires std::same_as<std::remove_const_t<Options>, SharedOptions>
+void visit_fields(Options& options, Visitor&& visit) {
+  visit(options.share, Field{"share", "", "Of the cake"});
+  visit(options.is_even, Field{"even", "", "In equal parts"});
+}
+
+TEST(OwnText, IsReadCheckedAndWritten) {
+  SharedOptions options;
+  ASSERT_TRUE(set_option(options, "share", "3:4"));
+  EXPECT_EQ(option_texts(options)[0].value, "3:4");
+  EXPECT_EQ(option_texts(options)[0].range, "PART:WHOLE");
+  EXPECT_EQ(option_texts(options)[0].kind, OptionKind::kOwnText);
+  EXPECT_EQ(option_texts(options)[1].kind, OptionKind::kBoolean);
+  EXPECT_EQ(error_text(set_option(options, "share", "half")), "--share: 'half' is no share");
+  EXPECT_EQ(error_text(set_option(options, "share", "5:4")), "--share: 5:4 is more than all");
+  EXPECT_EQ(options.share.text(), "3:4");  // as before
+  options.share = {9, 8};
+  EXPECT_EQ(error_text(validate(options)), "--share: 9:8 is more than all");
+}
+
 }  // namespace
 }  // namespace nadir

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "core/base/random.h"
 #include "core/eval/consistency.h"
@@ -167,6 +168,62 @@ TEST(CumulativeDistribution, LeavesOutWhatIsNoNumber) {
   EXPECT_THAT(result.share, ElementsAre(0.5, 1.0));
   EXPECT_THAT(cumulative_distribution({kNaN}).value, IsEmpty());
   EXPECT_THAT(cumulative_distribution({}).share, IsEmpty());
+}
+
+/// Steps every tenth of a second, truth where the pattern has a T.
+std::vector<EvaluatedStep> steps_with_truth(const std::string& pattern) {
+  std::vector<EvaluatedStep> steps;
+  for (const char letter : pattern) {
+    steps.push_back(step_at(0.1 * static_cast<double>(steps.size()), {}, {1.0, 0.0, 0.0}));
+    if (letter != 'T') steps.back().truth_in_enu.reset();
+  }
+  return steps;
+}
+
+TEST(TimeGaps, AreWhereMoreThanFiveMedianPeriodsPass) {
+  EXPECT_THAT(time_gaps(std::vector<double>{0.0, 1.0, 2.0, 7.0, 8.0, 14.0, 15.0}),
+              ElementsAre(5U));  // 5 periods are none yet
+  EXPECT_THAT(time_gaps(std::vector<double>{0.0, 1.0, 2.0, 5.0, 6.0}, 2.0), ElementsAre(3U));
+}
+
+TEST(TimeGaps, AreNoneInEvenTimesAndFewPoints) {
+  EXPECT_THAT(time_gaps(std::vector<double>{}), IsEmpty());
+  EXPECT_THAT(time_gaps(std::vector<double>{3.0}), IsEmpty());
+  EXPECT_THAT(time_gaps(std::vector<double>{3.0, 900.0}), IsEmpty());
+  std::vector<double> even(1000);
+  for (std::size_t i = 0; i < even.size(); ++i) even[i] = 1.7e9 + 0.1 * static_cast<double>(i);
+  EXPECT_THAT(time_gaps(even), IsEmpty());
+}
+
+TEST(TimeGaps, AreSeenWhereHalfOfAllDistancesAreGaps) {
+  EXPECT_THAT(time_gaps(std::vector<double>{0.0, 1.0, 100.0, 101.0, 200.0}), ElementsAre(2U, 4U));
+}
+
+TEST(GapsOf, AreWhereTruthIsMissing) {
+  EXPECT_THAT(gaps_of(error_series(steps_with_truth("TTT..TT.TTTT"))), ElementsAre(3U, 5U));
+  EXPECT_THAT(gaps_of(error_series(steps_with_truth("..TTTT.."))), IsEmpty());
+  EXPECT_THAT(gaps_of(error_series(steps_with_truth("...."))), IsEmpty());
+  EXPECT_THAT(gaps_of(error_series(steps_with_truth("..T."))), IsEmpty());
+}
+
+TEST(GapsOf, DoNotTearTruthOfALowerRateToPoints) {
+  EXPECT_THAT(gaps_of(error_series(steps_with_truth("T..T..T..T.....T..T"))), ElementsAre(4U));
+}
+
+TEST(GapsOf, CountAPauseOfTheRunOnce) {
+  std::vector<EvaluatedStep> steps = steps_with_truth("TTTTT.TTTT");
+  for (std::size_t i = 3; i < steps.size(); ++i) steps[i].time_s += 60.0;
+  for (std::size_t i = 6; i < steps.size(); ++i) steps[i].time_s += 60.0;
+  EXPECT_THAT(gaps_of(error_series(steps)), ElementsAre(3U, 5U));
+}
+
+TEST(BrokenAt, PutsANanBeforeEachGapAndKeepsTheRest) {
+  const std::vector<double> values = {1.0, 2.0, 3.0, 4.0};
+  EXPECT_THAT(broken_at(std::vector<std::size_t>{1, 3}, values),
+              ElementsAre(1.0, IsNan(), 2.0, 3.0, IsNan(), 4.0));
+  EXPECT_EQ(broken_at(std::vector<std::size_t>{}, values), values);
+  EXPECT_THROW((void)broken_at(std::vector<std::size_t>{4}, values), std::logic_error);
+  EXPECT_THROW((void)broken_at(std::vector<std::size_t>{2, 1}, values), std::logic_error);
 }
 
 }  // namespace

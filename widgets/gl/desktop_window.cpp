@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/gl/desktop_window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <cstdlib>
+
+#include "core/base/log.h"
+#include "core/base/require.h"
+#include "widgets/gl/vtk_messages.h"
+
+namespace nadir {
+namespace {
+
+bool is_named(const char* variable) {
+  const char* value = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): nobody sets any
+  return value != nullptr && *value != '\0';
+}
+
+/// What GLFW says of the last failure, and forgets by that.
+std::string complaint() {
+  const char* text = nullptr;
+  if (glfwGetError(&text) == GLFW_NO_ERROR || text == nullptr) return "no reason given";
+  return text;
+}
+
+void tell(int /*code*/, const char* text) {
+  write_log(LogLevel::kWarning, std::string("GLFW: ") + text);
+}
+
+}  // namespace
+
+/// GLFW itself, one for all windows. It is ended with the last of them.
+class DesktopWindow::Library {
+ public:
+  Library() = default;
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+  ~Library() { glfwTerminate(); }
+
+  /// @errors kUnsupported.
+  static Result<std::shared_ptr<Library>> get() {
+    // GLFW knows only one of itself a process, so this is remembered by the process too.
+    static std::weak_ptr<Library> shared;
+    if (auto there = shared.lock()) return there;
+    if (!is_named("WAYLAND_DISPLAY") && !is_named("DISPLAY")) {
+      return fail(
+          ErrorCode::kUnsupported,
+          "no display: neither WAYLAND_DISPLAY nor DISPLAY is set; figures and reports need none");
+    }
+    if (glfwInit() != GLFW_TRUE) {
+      return fail(ErrorCode::kUnsupported,
+                  "no display: none can be opened ({}); figures and reports need none",
+                  complaint());
+    }
+    auto made = std::make_shared<Library>();
+    shared = made;
+    return made;
+  }
+};
+
+Result<std::unique_ptr<DesktopWindow>> DesktopWindow::create(const std::string& title,
+                                                             int width,
+                                                             int height) {
+  NADIR_REQUIRE(width > 0 && height > 0);
+  send_vtk_messages_to_log();
+  auto library = Library::get();
+  if (!library) return forward_error(library);
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  // VTK and the widgets draw into frame buffers of their own: the window needs colours only.
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  glfwSetErrorCallback(nullptr);  // what fails here is returned
+  GLFWwindow* const window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (window == nullptr) {
+    return fail(ErrorCode::kUnsupported, "the display gives no window with OpenGL 3.3 ({})",
+                complaint());
+  }
+  glfwSetErrorCallback(tell);
+  std::unique_ptr<DesktopWindow> made(new DesktopWindow(std::move(*library), window));
+  made->make_current();
+  glfwSwapInterval(1);
+  return made;
+}
+
+DesktopWindow::DesktopWindow(std::shared_ptr<Library> library, GLFWwindow* window)
+    : library_(std::move(library)), window_(window) {}
+
+DesktopWindow::~DesktopWindow() { glfwDestroyWindow(window_); }
+
+GLFWwindow* DesktopWindow::handle() const { return window_; }
+void DesktopWindow::make_current() { glfwMakeContextCurrent(window_); }
+void DesktopWindow::swap() { glfwSwapBuffers(window_); }
+void DesktopWindow::poll_events() { glfwPollEvents(); }
+void DesktopWindow::wait_events(double at_most_s) { glfwWaitEventsTimeout(at_most_s); }
+bool DesktopWindow::should_close() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
+
+void DesktopWindow::set_should_close(bool should_close) {
+  glfwSetWindowShouldClose(window_, should_close ? GLFW_TRUE : GLFW_FALSE);
+}
+
+Eigen::Vector2i DesktopWindow::framebuffer_size() const {
+  Eigen::Vector2i size = Eigen::Vector2i::Zero();
+  glfwGetFramebufferSize(window_, &size.x(), &size.y());
+  return size;
+}
+
+double DesktopWindow::content_scale() const {
+  float across = 1.0F;
+  glfwGetWindowContentScale(window_, &across, nullptr);
+  return across;
+}
+
+}  // namespace nadir

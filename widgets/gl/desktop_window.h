@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+
+#include "core/base/result.h"
+
+struct GLFWwindow;
+
+namespace nadir {
+
+/// A window of the desktop with an OpenGL 3.3 core context: where OffscreenContext draws unseen, this one shows. VTK scenes
+/// are drawn by the same RenderWindow in both, and a window's own drawing goes to frame buffer 0.
+/// Windows belong to the main thread, all of them, as the operating systems want it.
+class DesktopWindow {
+ public:
+  /// Opens a window of `width` x `height` points; its context is current, and swap() waits for the screen.
+  /// @param title  UTF-8.
+  /// @errors kUnsupported: no display, or no OpenGL 3.3 on it, in one sentence.
+  [[nodiscard]] static Result<std::unique_ptr<DesktopWindow>> create(const std::string& title,
+                                                                     int width,
+                                                                     int height);
+
+  /// Closes it. What was drawn with its context has to go first.
+  ~DesktopWindow();
+  DesktopWindow(const DesktopWindow&) = delete;
+  DesktopWindow& operator=(const DesktopWindow&) = delete;
+
+  /// For whoever takes its input (Dear ImGui's backend does). Valid as long as this.
+  [[nodiscard]] GLFWwindow* handle() const;
+
+  void make_current();
+  /// Shows what was drawn into frame buffer 0.
+  void swap();
+  /// Takes the input that has come, or waits for some, at most so many seconds; a window that redraws only on change
+  /// lets the machine rest. Of all windows.
+  static void poll_events();
+  static void wait_events(double at_most_s);
+
+  [[nodiscard]] bool should_close() const;
+  void set_should_close(bool should_close);
+  /// Pixels of frame buffer 0: width, height. 0 while the window is minimised.
+  [[nodiscard]] Eigen::Vector2i framebuffer_size() const;
+  /// Size of text and widgets that this screen asks for: 1 is 96 dpi, 2 a screen of twice as many pixels.
+  [[nodiscard]] double content_scale() const;
+
+ private:
+  class Library;
+  DesktopWindow(std::shared_ptr<Library> library, GLFWwindow* window);
+  std::shared_ptr<Library> library_;  ///< Before the window, which needs it to the end.
+  GLFWwindow* window_;
+};
+
+}  // namespace nadir
