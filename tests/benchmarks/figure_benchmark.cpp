@@ -53,34 +53,67 @@ void BM_OverheadFrame(benchmark::State& state) {
     camera.centre_in_enu_m.x() =
         camera.centre_in_enu_m.x() > 20.0 ? -20.0 : camera.centre_in_enu_m.x() + 0.5;
     benchmark::DoNotOptimize(demand(view.update(camera, kWidth, kHeight, 1000)));
-    scene.look(camera, kHeight);
+    scene.look({camera, kWidth, kHeight, 1.5});
     benchmark::DoNotOptimize(demand(renderer->render(scene.renderer(), kWidth, kHeight)));
   }
 }
 BENCHMARK(BM_OverheadFrame)->Unit(benchmark::kMillisecond);
 
+/// So many particles over 40 m x 40 m.
+ParticleSet swirl(std::size_t count) {
+  ParticleSet particles;
+  particles.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = static_cast<double>(i);
+    particles.set_pose(
+        i, {20.0 * std::sin(angle), 20.0 * std::cos(1.7 * angle), std::sin(0.3 * angle)});
+    particles.weight[i] = 1.0 / static_cast<double>(count);
+  }
+  return particles;
+}
+
+/// New particles in every frame, as in a replay.
 void BM_ParticlesFrame(benchmark::State& state) {
   const auto renderer = demand(OffscreenRenderer::create());
   MapScene scene({0.0, 0.0});
   ParticleView view(scene);
-  ParticleSet particles;
-  const auto count = static_cast<std::size_t>(state.range(0));
-  for (std::size_t i = 0; i < count; ++i) {
-    const double angle = static_cast<double>(i);
-    particles.x_in_enu_m.push_back(20.0 * std::sin(angle));
-    particles.y_in_enu_m.push_back(20.0 * std::cos(1.7 * angle));
-    particles.yaw_rad.push_back(std::sin(0.3 * angle));
-    particles.weight.push_back(1.0 / static_cast<double>(count));
-  }
-  MapCamera camera;
-  camera.metres_per_px = 0.1;
-  scene.look(camera, kHeight);
+  const ParticleSet particles = swirl(static_cast<std::size_t>(state.range(0)));
+  scene.look({{{0.0, 0.0}, 0.1}, kWidth, kHeight, 1.5});
   for (auto _ : state) {
     view.show(particles);
     benchmark::DoNotOptimize(demand(renderer->render(scene.renderer(), kWidth, kHeight)));
   }
+  state.counters["drawn"] = static_cast<double>(view.drawn_count());
 }
-BENCHMARK(BM_ParticlesFrame)->Arg(10'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_ParticlesFrame)
+    ->Arg(1'000)
+    ->Arg(10'000)
+    ->Arg(100'000)
+    ->Arg(1'000'000)
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// The same particles while the map is moved, from afar (0) and near (1), where few are in sight.
+void BM_ParticlesPan(benchmark::State& state) {
+  const auto renderer = demand(OffscreenRenderer::create());
+  MapScene scene({0.0, 0.0});
+  ParticleView view(scene);
+  view.show(swirl(static_cast<std::size_t>(state.range(0))));
+  MapCamera camera;
+  camera.metres_per_px = state.range(1) == 0 ? 0.1 : 0.002;
+  for (auto _ : state) {
+    camera.centre_in_enu_m.x() =
+        std::remainder(camera.centre_in_enu_m.x() + 20.0 * camera.metres_per_px, 10.0);
+    scene.look({camera, kWidth, kHeight, 1.5});
+    benchmark::DoNotOptimize(demand(renderer->render(scene.renderer(), kWidth, kHeight)));
+  }
+  state.counters["drawn"] = static_cast<double>(view.drawn_count());
+}
+BENCHMARK(BM_ParticlesPan)
+    ->ArgsProduct({{10'000, 1'000'000}, {0, 1}})
+    ->ArgNames({"particles", "near"})
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
 
 /// From the recipe to the bytes of the file, OpenGL's start included.
 void BM_Figure(benchmark::State& state, const std::string& figure, PageFile kind) {

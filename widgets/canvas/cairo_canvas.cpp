@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/base/require.h"
+#include "widgets/canvas/fonts.h"
 #include "widgets/canvas/page_lines.h"
 #include "widgets/canvas/printable.h"
 
@@ -54,8 +55,7 @@ void set_colour(cairo_t* context, Rgba colour) {
 }
 
 void set_font(cairo_t* context, const TextStyle& style) {
-  cairo_select_font_face(context, style.face == FontFace::kText ? "Inter" : "JetBrains Mono",
-                         CAIRO_FONT_SLANT_NORMAL,
+  cairo_select_font_face(context, font_family(style.face), CAIRO_FONT_SLANT_NORMAL,
                          style.is_bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(context, style.size_px);
 }
@@ -68,6 +68,10 @@ double advance_px(cairo_t* context, const std::string& line) {
 
 /// Cairo's pixels: premultiplied, native 32-bit words 0xAARRGGBB.
 std::uint32_t premultiplied(Rgba colour) {
+  if (colour.alpha == 255) {
+    return 0xFF000000U | (std::uint32_t{colour.red} << 16U) | (std::uint32_t{colour.green} << 8U) |
+           colour.blue;
+  }
   const auto scaled = [alpha = std::uint32_t{colour.alpha}](std::uint32_t channel) {
     return (channel * alpha + 127U) / 255U;
   };
@@ -78,6 +82,10 @@ std::uint32_t premultiplied(Rgba colour) {
 Rgba straight(std::uint32_t word) {
   const std::uint32_t alpha = word >> 24U;
   if (alpha == 0) return {0, 0, 0, 0};
+  if (alpha == 255) {  // nearly always, and then there is nothing to divide
+    return {static_cast<std::uint8_t>(word >> 16U), static_cast<std::uint8_t>(word >> 8U),
+            static_cast<std::uint8_t>(word)};
+  }
   const auto scaled = [alpha](std::uint32_t channel) {
     return static_cast<std::uint8_t>(((channel & 0xFFU) * 255U + alpha / 2U) / alpha);
   };

@@ -77,7 +77,6 @@ class CanvasDevice : public vtkContextDevice2D {
   ~CanvasDevice() override;
 
  private:
-  struct Placed;
   [[nodiscard]] std::vector<Eigen::Vector2d> on_page(const float* points, int n) const;
   [[nodiscard]] StrokeStyle stroke_style() const;
   [[nodiscard]] TextStyle text_style() const;

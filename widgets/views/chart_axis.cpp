@@ -276,6 +276,13 @@ Ticks logarithmic_ticks(const AxisRange& range, const TicksFit& fit) {
     ticks = ticks_with({1}, stride);
     if (ticks.at.size() <= kMostTicks && fit(ticks)) break;
   }
+  if (!ticks.at.empty()) return ticks;
+  // No power of ten, and the others have no room beside each other: one alone has.
+  ticks = ticks_with({1, 2, 5}, 1);
+  if (ticks.at.size() > 1) {
+    ticks.at.resize(1);
+    ticks.labels.resize(1);
+  }
   return ticks;
 }
 

@@ -62,10 +62,11 @@ struct ChartSpec {
   std::vector<LevelSpec> levels = {};
   std::optional<BarsSpec> bars = {};    ///< Group i stands at x = i.
   std::optional<double> marked_x = {};  ///< A thin vertical line at a moment.
-  double left_margin_px = 0.0;  ///< From the chart's left end to its y axis; 0: as the labels need.
+  /// From the chart's left end to its y axis; 0, or more than half of the chart: as the labels need.
+  double left_margin_px = 0.0;
 };
 
-/// What has a name in the chart: lines, bands, bars, levels. Equal entries are listed once.
+/// What has a name in the chart and something to draw: lines, bands, bars, levels. Equal entries are listed once.
 [[nodiscard]] std::vector<LegendEntry> legend_of(const ChartSpec& spec);
 
 }  // namespace nadir

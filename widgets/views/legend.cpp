@@ -50,7 +50,9 @@ void draw_sample(Canvas& canvas, const LegendEntry& entry, double left, double m
   const std::array<Eigen::Vector2d, 2> line = {Eigen::Vector2d(left, middle),
                                                Eigen::Vector2d(left + kSamplePt * px, middle)};
   const double width = 2.0 * px;
-  if (entry.casing.alpha > 0) canvas.stroke(line, {entry.casing, width + 1.4 * px});
+  const bool is_line =
+      entry.kind == LegendEntry::Kind::kLine || entry.kind == LegendEntry::Kind::kDashed;
+  if (is_line && entry.casing.alpha > 0) canvas.stroke(line, {entry.casing, width + 1.4 * px});
   switch (entry.kind) {
     case LegendEntry::Kind::kLine:
       canvas.stroke(line, {entry.colour, width});
@@ -64,6 +66,19 @@ void draw_sample(Canvas& canvas, const LegendEntry& entry, double left, double m
     case LegendEntry::Kind::kBar:
       fill_rect(canvas, left + 4.5 * px, middle - 3.5 * px, 7.0 * px, 7.0 * px, entry.colour);
       break;
+    case LegendEntry::Kind::kStripedBar: {
+      const PageRect bar{left + 4.5 * px, middle - 3.5 * px, 7.0 * px, 7.0 * px};
+      fill_rect(canvas, bar.left, bar.bottom, bar.width, bar.height, entry.colour);
+      canvas.push_clip(bar);
+      for (const double offset : {-3.5, 0.0, 3.5}) {
+        const std::array<Eigen::Vector2d, 2> stripe = {
+            Eigen::Vector2d(bar.left + (offset - 1.0) * px, bar.bottom - px),
+            Eigen::Vector2d(bar.right() + (offset + 1.0) * px, bar.top() + px)};
+        canvas.stroke(stripe, {entry.casing, 1.2 * px});
+      }
+      canvas.pop_clip();
+      break;
+    }
     case LegendEntry::Kind::kDot: {
       const auto dot = [&](double radius) {
         std::vector<Eigen::Vector2d> outline;

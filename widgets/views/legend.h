@@ -11,11 +11,13 @@ namespace nadir {
 
 /// A name and the sample of what is drawn so.
 struct LegendEntry {
-  enum class Kind { kLine, kDashed, kBand, kBar, kDot };
+  enum class Kind { kLine, kDashed, kBand, kBar, kDot, kStripedBar };
   std::string name;
   Rgba colour;
   Kind kind = Kind::kLine;
-  Rgba casing{0, 0, 0, 0};  ///< Around a line that is drawn so; transparent: none.
+  Rgba casing{
+      0, 0, 0,
+      0};  ///< Around a line that is drawn so; transparent: none. Of a striped bar, its stripes.
   friend bool operator==(const LegendEntry&, const LegendEntry&) = default;
 };
 

@@ -151,6 +151,17 @@ void draw_pose(Canvas& canvas,
              look, frame.px_per_pt);
 }
 
+PageRect plate_at(const Eigen::Vector2d& centre_on_page,
+                  const std::string& line,
+                  const TextStyle& style,
+                  double px_per_pt) {
+  const TextExtent extent = measure_text(line, style);
+  const Eigen::Vector2d half(extent.width / 2.0 + 3.0 * px_per_pt,
+                             extent.cap_height / 2.0 + 2.5 * px_per_pt);
+  const Eigen::Vector2d corner = centre_on_page - half;
+  return {corner.x(), corner.y(), 2.0 * half.x(), 2.0 * half.y()};
+}
+
 void draw_plate(Canvas& canvas,
                 const Eigen::Vector2d& centre_on_page,
                 const std::string& line,
@@ -159,16 +170,14 @@ void draw_plate(Canvas& canvas,
                 double px_per_pt) {
   TextStyle centred = style;
   centred.align = TextAlign::kCentre;
-  const TextExtent extent = measure_text(line, centred);
-  const double half_width = extent.width / 2.0 + 3.0 * px_per_pt;
-  const double half_height = extent.cap_height / 2.0 + 2.5 * px_per_pt;
-  const std::array<Eigen::Vector2d, 4> corners = {
-      centre_on_page + Eigen::Vector2d(-half_width, -half_height),
-      centre_on_page + Eigen::Vector2d(half_width, -half_height),
-      centre_on_page + Eigen::Vector2d(half_width, half_height),
-      centre_on_page + Eigen::Vector2d(-half_width, half_height)};
+  const PageRect covered = plate_at(centre_on_page, line, centred, px_per_pt);
+  const std::array<Eigen::Vector2d, 4> corners = {Eigen::Vector2d(covered.left, covered.bottom),
+                                                  Eigen::Vector2d(covered.right(), covered.bottom),
+                                                  Eigen::Vector2d(covered.right(), covered.top()),
+                                                  Eigen::Vector2d(covered.left, covered.top())};
   canvas.fill(corners, plate);
-  canvas.text(centre_on_page - Eigen::Vector2d(0.0, extent.cap_height / 2.0), line, centred);
+  const double cap_height = measure_text(line, centred).cap_height;
+  canvas.text(centre_on_page - Eigen::Vector2d(0.0, cap_height / 2.0), line, centred);
 }
 
 }  // namespace nadir

@@ -62,6 +62,12 @@ void draw_pose(Canvas& canvas,
                double size_pt,
                const PathLook& look);
 
+/// What draw_plate() covers.
+[[nodiscard]] PageRect plate_at(const Eigen::Vector2d& centre_on_page,
+                                const std::string& line,
+                                const TextStyle& style,
+                                double px_per_pt);
+
 /// A name on a plate at a point of the page, centred; plate and letters in the given colours.
 void draw_plate(Canvas& canvas,
                 const Eigen::Vector2d& centre_on_page,

@@ -4,13 +4,10 @@
 #include <vtkCamera.h>
 #include <vtkCameraPass.h>
 #include <vtkOpaquePass.h>
-#include <vtkPropCollection.h>
 #include <vtkRenderPassCollection.h>
 #include <vtkSequencePass.h>
-#include <vtkSmartPointer.h>
 #include <vtkTranslucentPass.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace nadir {
@@ -40,39 +37,30 @@ Eigen::Vector3d MapScene::scene_from_enu(const Eigen::Vector2d& point_in_enu_m,
 }
 
 void MapScene::add(vtkProp& prop, MapLayer layer) {
-  const auto above = std::upper_bound(layers_.begin(), layers_.end(), layer);
-  const auto below = static_cast<int>(above - layers_.begin());
-  layers_.insert(above, layer);
-  // The renderer must take the prop in itself; only then it is moved down to its place.
-  renderer_->AddViewProp(&prop);
-  vtkPropCollection* const props = renderer_->GetViewProps();
-  if (below + 1 == props->GetNumberOfItems()) return;
-  const vtkSmartPointer<vtkProp> kept = &prop;
-  props->RemoveItem(&prop);
-  props->InsertItem(below - 1, &prop);  // after the item of that number
+  order_.add(*renderer_, prop, static_cast<int>(layer));
 }
 
-void MapScene::remove(vtkProp& prop) {
-  const int place = renderer_->GetViewProps()->IsItemPresent(&prop);  // from 1; 0 where it is not
-  if (place == 0) return;
-  layers_.erase(layers_.begin() + (place - 1));
-  renderer_->RemoveViewProp(&prop);
-}
+void MapScene::remove(vtkProp& prop) { order_.remove(*renderer_, prop); }
 
 void MapScene::set_background(Rgba colour, bool is_transparent) {
   renderer_->SetBackground(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
   renderer_->SetBackgroundAlpha(is_transparent ? 0.0 : 1.0);
 }
 
-void MapScene::look(const MapCamera& camera, double height_px) {
+void MapScene::attach(SightedView& view) { sighted_.push_back(&view); }
+void MapScene::detach(SightedView& view) { std::erase(sighted_, &view); }
+
+void MapScene::look(const MapSight& sight) {
   constexpr double kAbove = 100.0;
+  const MapCamera& camera = sight.camera;
   const Eigen::Vector2d centre = camera.centre_in_enu_m - scene_origin_in_enu_m_;
   vtkCamera* const eye = renderer_->GetActiveCamera();
   eye->SetFocalPoint(centre.x(), centre.y(), 0.0);
   eye->SetPosition(centre.x(), centre.y(), kAbove);
   eye->SetViewUp(std::cos(camera.up_rad), std::sin(camera.up_rad), 0.0);
-  eye->SetParallelScale(height_px * camera.metres_per_px / 2.0);
+  eye->SetParallelScale(sight.height_px * camera.metres_per_px / 2.0);
   eye->SetClippingRange(1.0, 2.0 * kAbove);
+  for (SightedView* const view : sighted_) view->adapt_to(sight);
 }
 
 }  // namespace nadir

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/views/theme.h"
+#include "widgets/views/raster_pictures.h"
 
 namespace nadir {
 namespace {
@@ -13,30 +13,14 @@ namespace {
 /// Tiles kept in memory: 192 of 512 x 512 RGBA pixels are 200 MB.
 constexpr std::size_t kMostTiles = 192;
 
-Raster<Rgba> opaque(const ColourRaster& colours) {
-  Raster<Rgba> pixels(colours.width(), colours.height());
-  std::transform(colours.values().begin(), colours.values().end(), pixels.values().begin(),
-                 [](const Colour& colour) {
-                   return Rgba{colour.red, colour.green, colour.blue};
-                 });
-  return pixels;
-}
-
-Raster<Rgba> in_class_colours(const Raster<ClassId>& labels) {
-  std::array<Rgba, 256> colours{};
-  for (int id = 0; id < 256; ++id) {
-    colours.at(static_cast<std::size_t>(id)) = class_colour(static_cast<ClassId>(id));
-  }
-  Raster<Rgba> pixels(labels.width(), labels.height());
-  std::transform(labels.values().begin(), labels.values().end(), pixels.values().begin(),
-                 [&colours](ClassId id) { return colours[id]; });
-  return pixels;
-}
-
 }  // namespace
 
 OverheadView::OverheadView(MapScene& scene, OverheadTiles tiles, OverheadTiles::Layer layer)
     : scene_(scene), tiles_(std::move(tiles)), layer_(layer) {}
+
+MapLayer OverheadView::map_layer() const {
+  return layer_ == OverheadTiles::Layer::kPicture ? MapLayer::kPicture : MapLayer::kLabels;
+}
 
 int OverheadView::level_for(double metres_per_px) const {
   const double cells_per_px = metres_per_px / tiles_.metres_per_cell();
@@ -73,6 +57,13 @@ std::vector<TileAddress> OverheadView::in_sight(const MapCamera& camera,
       found.push_back({level, column, row});
     }
   }
+  const Eigen::Vector2d middle = cells.center();
+  const auto distance = [&](const TileAddress& tile) {
+    return (side * Eigen::Vector2d(tile.column + 0.5, tile.row + 0.5) - middle).squaredNorm();
+  };
+  std::stable_sort(found.begin(), found.end(), [&](const TileAddress& a, const TileAddress& b) {
+    return distance(a) < distance(b);
+  });
   return found;
 }
 
@@ -81,11 +72,11 @@ Result<void> OverheadView::load(const TileAddress& tile) {
   if (layer_ == OverheadTiles::Layer::kPicture) {
     const auto picture = tiles_.picture(tile);
     if (!picture) return forward_error(picture);
-    pixels = opaque(*picture);
+    pixels = colour_picture(*picture);
   } else {
     const auto labels = tiles_.labels(tile);
     if (!labels) return forward_error(labels);
-    pixels = in_class_colours(*labels);
+    pixels = class_picture(*labels);
   }
   const Eigen::Vector4i cells = tiles_.cells_of(tile);
   const Eigen::Vector2d corner_m =
@@ -93,12 +84,36 @@ Result<void> OverheadView::load(const TileAddress& tile) {
   const Eigen::Vector2d metres_per_pixel(tiles_.metres_per_cell() * cells[2] / pixels.width(),
                                          tiles_.metres_per_cell() * cells[3] / pixels.height());
   Shown& shown = shown_[tile];
-  shown.view = std::make_unique<RasterView>(
-      scene_, layer_ == OverheadTiles::Layer::kPicture ? MapLayer::kPicture : MapLayer::kLabels);
+  shown.view = std::make_unique<RasterView>(scene_, map_layer());
+  // Tiles are drawn at half their size at least, but for the coarsest one.
   shown.view->show(pixels, {corner_m.x(), corner_m.y(), 0.0}, metres_per_pixel,
-                   layer_ == OverheadTiles::Layer::kPicture);
+                   layer_ == OverheadTiles::Layer::kPicture,
+                   tile.level + 1 == tiles_.level_count());
   shown.view->set_opacity(opacity_);
+  shown.view->set_visible(false);
   return {};
+}
+
+void OverheadView::show_stand_in(const TileAddress& missing) {
+  TileAddress coarser = missing;
+  while (shown_.count(coarser) == 0) {
+    if (coarser.level + 1 >= tiles_.level_count()) return;  // nothing is there at all
+    coarser = {coarser.level + 1, coarser.column / 2, coarser.row / 2};
+  }
+  Shown& source = shown_.at(coarser);
+  source.last_used = clock_;
+  StandIn& made = stand_ins_[missing];
+  if (made.view != nullptr && made.cut_from == coarser) return;
+  const Eigen::Vector4i whole = tiles_.cells_of(coarser);
+  const Eigen::Vector4i part = tiles_.cells_of(missing);
+  const auto share = [&](int cell, int axis) {
+    return static_cast<double>(cell - whole[axis]) / whole[axis + 2];
+  };
+  made = {coarser, std::make_unique<RasterView>(scene_, map_layer())};
+  made.view->show_part_of(
+      *source.view, {Eigen::Vector2d(share(part[0], 0), share(part[1], 1)),
+                     Eigen::Vector2d(share(part[0] + part[2], 0), share(part[1] + part[3], 1))});
+  made.view->set_opacity(opacity_);
 }
 
 Result<bool> OverheadView::update(const MapCamera& camera,
@@ -107,24 +122,37 @@ Result<bool> OverheadView::update(const MapCamera& camera,
                                   int most_new_tiles) {
   ++clock_;
   for (auto& [tile, shown] : shown_) shown.view->set_visible(false);
-  if (!is_visible_) return true;
-  const std::vector<TileAddress> wanted =
-      in_sight(camera, width_px, height_px, level_for(camera.metres_per_px));
-  bool is_complete = true;
-  for (const TileAddress& tile : wanted) {
-    if (shown_.count(tile) == 0) {
-      if (most_new_tiles-- <= 0) {
-        is_complete = false;
-        continue;
-      }
-      if (auto loaded = load(tile); !loaded) return forward_error(loaded);
-    }
-    Shown& shown = shown_.at(tile);
-    shown.last_used = clock_;
-    shown.view->set_visible(true);
+  if (!is_visible_) {
+    stand_ins_.clear();
+    return true;
   }
+  const auto show_if_there = [this](const TileAddress& tile) {
+    const auto found = shown_.find(tile);
+    if (found == shown_.end()) return false;
+    found->second.last_used = clock_;
+    found->second.view->set_visible(true);
+    return true;
+  };
+  std::vector<TileAddress> missing =
+      in_sight(camera, width_px, height_px, level_for(camera.metres_per_px));
+  std::erase_if(missing, show_if_there);
+  std::vector<TileAddress> wanted = missing;
+  if (missing.size() > static_cast<std::size_t>(std::max(0, most_new_tiles))) {
+    const TileAddress whole_map{tiles_.level_count() - 1, 0, 0};
+    if (shown_.count(whole_map) == 0) wanted.insert(wanted.begin(), whole_map);
+    wanted.resize(std::min(wanted.size(), static_cast<std::size_t>(std::max(0, most_new_tiles))));
+  }
+  for (const TileAddress& tile : wanted) {
+    if (shown_.count(tile) > 0) continue;
+    if (auto loaded = load(tile); !loaded) return forward_error(loaded);
+  }
+  std::erase_if(missing, show_if_there);
+  std::erase_if(stand_ins_, [&](const auto& stand_in) {
+    return std::find(missing.begin(), missing.end(), stand_in.first) == missing.end();
+  });
+  for (const TileAddress& tile : missing) show_stand_in(tile);
   forget_least_used();
-  return is_complete;
+  return missing.empty();
 }
 
 void OverheadView::forget_least_used() {
@@ -140,6 +168,7 @@ void OverheadView::forget_least_used() {
 void OverheadView::set_opacity(double opacity) {
   opacity_ = opacity;
   for (auto& [tile, shown] : shown_) shown.view->set_opacity(opacity);
+  for (auto& [tile, stand_in] : stand_ins_) stand_in.view->set_opacity(opacity);
 }
 
 void OverheadView::set_visible(bool visible) { is_visible_ = visible; }

@@ -11,13 +11,15 @@
 namespace nadir {
 
 /// Shows one layer of an overhead, of any size, by the tiles that are in sight at the resolution that the page asks for.
-/// Tiles are kept while they are used, and the least used go when there are too many.
+/// Where such a tile is still missing the finest coarser one that is there stands in for it, cut to its place. Tiles are
+/// kept while they are used, and the least used go when there are too many.
 class OverheadView {
  public:
   OverheadView(MapScene& scene, OverheadTiles tiles, OverheadTiles::Layer layer);
 
-  /// Brings in what the camera sees. @param most_new_tiles  Reads no more than that now, coarse ones first, so that a
-  /// frame of a window is never late; false then says that there is more to come.
+  /// Brings in what the camera sees. @param most_new_tiles  Reads no more than that now, so that a frame of a window is
+  /// never late: where that is too few, first the tile that shows the whole map, then those in the middle of the page.
+  /// False says that there is more to come.
   /// @errors kMalformed: the map's file is damaged where it was read.
   [[nodiscard]] Result<bool> update(const MapCamera& camera,
                                     double width_px,
@@ -34,17 +36,26 @@ class OverheadView {
     std::unique_ptr<RasterView> view;
     std::uint64_t last_used = 0;
   };
+  /// In the place of a tile that is missing.
+  struct StandIn {
+    TileAddress cut_from;
+    std::unique_ptr<RasterView> view;
+  };
+  [[nodiscard]] MapLayer map_layer() const;
+  /// Those in the middle of the page first.
   [[nodiscard]] std::vector<TileAddress> in_sight(const MapCamera& camera,
                                                   double width_px,
                                                   double height_px,
                                                   int level) const;
   [[nodiscard]] Result<void> load(const TileAddress& tile);
+  void show_stand_in(const TileAddress& missing);
   void forget_least_used();
 
   MapScene& scene_;
   OverheadTiles tiles_;
   OverheadTiles::Layer layer_;
   std::map<TileAddress, Shown> shown_;
+  std::map<TileAddress, StandIn> stand_ins_;  ///< By the missing tile, of the last update().
   std::uint64_t clock_ = 0;
   double opacity_ = 1.0;
   bool is_visible_ = true;

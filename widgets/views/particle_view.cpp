@@ -8,84 +8,230 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "widgets/views/theme.h"
 
 namespace nadir {
 namespace {
 
-/// A hundred particles are opaque, ten thousand let the ground through.
-double opacity_for(std::size_t count) {
-  constexpr double kOpaqueUpTo = 100.0;
-  return std::clamp(std::pow(kOpaqueUpTo / std::max(1.0, static_cast<double>(count)), 0.25), 0.25,
-                    1.0);
-}
+/// A square as large as this is what a particle needs for itself: the length of a heading tick.
+constexpr double kRoomPt = 6.0;
+/// So many particles share a square before ticks would hide each other ...
+constexpr double kMostWithTicks = 3.0;
+/// ... and before dots would hide the ground.
+constexpr double kMostOpaque = 8.0;
+constexpr double kLeastOpacity = 0.12;
+constexpr double kTickWidthPt = 0.45;
+
+/// Points, cells and their colours of a shape that is being made.
+struct Shape {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colours;
+
+  Shape() { colours->SetNumberOfComponents(4); }
+  void add(Rgba colour) {
+    const std::array<unsigned char, 4> tuple = {colour.red, colour.green, colour.blue,
+                                                colour.alpha};
+    colours->InsertNextTypedTuple(tuple.data());
+  }
+};
+
+/// Counts particles by squares of ground; mean() is how many share one with it, as a particle sees it. Copies of one, as
+/// resampling makes them, lie on each other and count once.
+class Crowd {
+ public:
+  explicit Crowd(double side_m) : side_m_(side_m) {}
+  void add(const Eigen::Vector2f& point) {
+    const std::uint64_t place = std::uint64_t{std::bit_cast<std::uint32_t>(point.x())} << 32U |
+                                std::bit_cast<std::uint32_t>(point.y());
+    if (!places_.insert(place).second) return;
+    static constexpr double kFarthest = 1e12;  // so that the number below is one
+    const auto index = [this](float at) {
+      return static_cast<std::int64_t>(
+          std::clamp(std::floor(static_cast<double>(at) / side_m_), -kFarthest, kFarthest));
+    };
+    ++counts_[index(point.x()) * 1'000'003 + index(point.y())];
+  }
+  [[nodiscard]] double mean() const {
+    double squares = 0.0;
+    for (const auto& [square, count] : counts_) squares += static_cast<double>(count) * count;
+    return places_.empty() ? 0.0 : squares / static_cast<double>(places_.size());
+  }
+
+ private:
+  double side_m_;
+  std::unordered_map<std::int64_t, int> counts_;
+  std::unordered_set<std::uint64_t> places_;
+};
 
 }  // namespace
 
 ParticleView::ParticleView(MapScene& scene) : scene_(scene) {
-  mapper_->SetInputData(cloud_);
-  mapper_->SetScalarModeToUseCellData();
-  actor_->SetMapper(mapper_);
-  actor_->GetProperty()->LightingOff();
-  actor_->ForceTranslucentOn();
-  scene_.add(*actor_, MapLayer::kParticles);
+  const auto prepare = [this](Part& part) {
+    part.mapper->SetInputData(part.shape);
+    part.mapper->SetScalarModeToUseCellData();
+    part.actor->SetMapper(part.mapper);
+    part.actor->GetProperty()->LightingOff();
+    part.actor->ForceTranslucentOn();
+    scene_.add(*part.actor, MapLayer::kParticles);
+  };
+  prepare(ticks_);
+  for (Part& part : dots_) prepare(part);
+  scene_.attach(*this);
 }
 
-ParticleView::~ParticleView() { scene_.remove(*actor_); }
+ParticleView::~ParticleView() {
+  scene_.detach(*this);
+  scene_.remove(*ticks_.actor);
+  for (Part& part : dots_) scene_.remove(*part.actor);
+}
 
 void ParticleView::show(const ParticleSet& particles, const ParticleLook& look) {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> dots;
-  vtkNew<vtkCellArray> ticks;
-  std::vector<Rgba> colours;
-  const std::size_t stride =
-      std::max<std::size_t>(1, (particles.size() + look.most_drawn - 1) / look.most_drawn);
-  const double heaviest = particles.weight.empty()
-                              ? 1.0
-                              : *std::max_element(particles.weight.begin(), particles.weight.end());
-  const double opacity = opacity_for(particles.size() / stride);
-  drawn_ = 0;
-  std::vector<Eigen::Vector3d> heads;
-  for (std::size_t i = 0; i < particles.size(); i += stride) {
+  look_ = look;
+  particles_.clear();
+  particles_.reserve(particles.size());
+  double heaviest = 0.0;
+  for (const double weight : particles.weight) heaviest = std::max(heaviest, weight);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
     const Eigen::Vector2d point(particles.x_in_enu_m[i], particles.y_in_enu_m[i]);
-    const double yaw = particles.yaw_rad[i];
-    if (!point.allFinite() || !std::isfinite(yaw)) continue;
-    const Eigen::Vector3d at = scene_.scene_from_enu(point, MapLayer::kParticles);
-    const vtkIdType id = points->InsertNextPoint(at.data());
-    dots->InsertNextCell(1, &id);
-    colours.push_back(with_opacity(
-        value_colour(ValueColours::kViridis, heaviest > 0.0 ? particles.weight[i] / heaviest : 1.0),
-        opacity));
-    heads.emplace_back(at + look.heading_m * Eigen::Vector3d(std::cos(yaw), std::sin(yaw), 0.0));
-    ++drawn_;
+    const double yaw_rad = particles.yaw_rad[i];
+    if (!point.allFinite() || !std::isfinite(yaw_rad)) continue;
+    const double share = heaviest > 0.0 ? particles.weight[i] / heaviest : 1.0;
+    particles_.push_back(
+        {scene_.scene_from_enu(point, MapLayer::kParticles).head<2>().cast<float>(),
+         static_cast<float>(yaw_rad), static_cast<float>(share)});
   }
-  // Cells are coloured in the order dots, then lines.
-  const std::size_t count = heads.size();
-  for (std::size_t i = 0; look.heading_m > 0.0 && i < count; ++i) {
-    const std::array<vtkIdType, 2> ends = {static_cast<vtkIdType>(i),
-                                           points->InsertNextPoint(heads[i].data())};
-    ticks->InsertNextCell(2, ends.data());
-    colours.push_back(colours[i]);
-  }
-  vtkNew<vtkUnsignedCharArray> scalars;
-  scalars->SetNumberOfComponents(4);
-  scalars->SetNumberOfTuples(static_cast<vtkIdType>(colours.size()));
-  for (std::size_t i = 0; i < colours.size(); ++i) {
-    const Rgba colour = colours[i];
-    const std::array<unsigned char, 4> tuple = {colour.red, colour.green, colour.blue,
-                                                colour.alpha};
-    scalars->SetTypedTuple(static_cast<vtkIdType>(i), tuple.data());
-  }
-  cloud_->Initialize();
-  cloud_->SetPoints(points);
-  cloud_->SetVerts(dots);
-  cloud_->SetLines(ticks);
-  cloud_->GetCellData()->SetScalars(scalars);
-  actor_->GetProperty()->SetPointSize(static_cast<float>(look.size_px));
+  if (sight_) rebuild(*sight_);
+  ticks_.actor->Modified();
 }
 
-void ParticleView::set_visible(bool visible) { actor_->SetVisibility(visible ? 1 : 0); }
+void ParticleView::adapt_to(const MapSight& sight) {
+  if (sight_ == sight) return;
+  sight_ = sight;
+  rebuild(sight);
+}
+
+std::vector<std::size_t> ParticleView::chosen(const MapSight& sight) const {
+  // The page in metres, turned so that it lies upright, with room for the ticks of particles just outside.
+  const Eigen::Vector2f centre =
+      scene_.scene_from_enu(sight.camera.centre_in_enu_m, MapLayer::kParticles)
+          .head<2>()
+          .cast<float>();
+  const Eigen::Vector2f up(static_cast<float>(std::cos(sight.camera.up_rad)),
+                           static_cast<float>(std::sin(sight.camera.up_rad)));
+  const Eigen::Vector2f right(up.y(), -up.x());
+  const Eigen::Vector2d half_px =
+      0.5 * Eigen::Vector2d(sight.width_px, sight.height_px) +
+      Eigen::Vector2d::Constant((look_.heading_pt + 2.5 * look_.size_pt) * sight.px_per_pt);
+  const Eigen::Vector2f half = (half_px * sight.camera.metres_per_px).cast<float>();
+  std::vector<std::size_t> seen;
+  std::size_t heaviest = 0;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    const Eigen::Vector2f offset = particles_[i].in_scene_m - centre;
+    if (!(std::abs(offset.dot(right)) <= half.x()) || !(std::abs(offset.dot(up)) <= half.y())) {
+      continue;
+    }
+    if (seen.empty() || particles_[i].share > particles_[heaviest].share) heaviest = i;
+    seen.push_back(i);
+  }
+  // Powers of two, and by the number in the whole set, so that the same are drawn while the map is moved.
+  for (std::size_t step = 2; seen.size() > std::max<std::size_t>(1, look_.most_drawn); step *= 2) {
+    std::erase_if(seen, [&](std::size_t i) { return i % step != 0 && i != heaviest; });
+    if (step > particles_.size()) break;
+  }
+  std::stable_sort(seen.begin(), seen.end(), [this](std::size_t a, std::size_t b) {
+    return particles_[a].share < particles_[b].share;
+  });
+  return seen;
+}
+
+void ParticleView::rebuild(const MapSight& sight) {
+  const std::vector<std::size_t> seen = chosen(sight);
+  Crowd crowd(kRoomPt * sight.px_per_pt * sight.camera.metres_per_px);
+  for (const std::size_t i : seen) crowd.add(particles_[i].in_scene_m);
+  const double neighbours = crowd.mean();
+  drawn_ = seen.size();
+  has_ticks_ = look_.heading_pt > 0.0 && !seen.empty() && neighbours <= kMostWithTicks;
+  draw_ticks(has_ticks_ ? seen : std::vector<std::size_t>(), sight);
+  const double opacity =
+      std::clamp(std::sqrt(kMostOpaque / std::max(1.0, neighbours)), kLeastOpacity, 1.0);
+  draw_dots(seen, opacity, sight.px_per_pt);
+}
+
+namespace {
+
+/// Colour of a particle whose weight is shown by it.
+Rgba weight_colour(float share) { return value_colour(ValueColours::kViridis, share); }
+
+void take(vtkPolyData& shape, const Shape& made, bool is_lines) {
+  shape.Initialize();
+  shape.SetPoints(made.points);
+  if (is_lines) {
+    shape.SetLines(made.cells);
+  } else {
+    shape.SetVerts(made.cells);
+  }
+  shape.GetCellData()->SetScalars(made.colours);
+}
+
+}  // namespace
+
+void ParticleView::draw_dots(const std::vector<std::size_t>& particles,
+                             double opacity,
+                             double px_per_pt) {
+  const double z = scene_.scene_from_enu({0.0, 0.0}, MapLayer::kParticles).z();
+  const bool is_by_size = look_.weight == ParticleLook::Weight::kSize;
+  std::array<Shape, kSizes> made;
+  for (const std::size_t i : particles) {
+    const Particle& particle = particles_[i];
+    // The side of a dot grows as the root of the weight, so its area as the weight.
+    const double side = std::sqrt(std::clamp(static_cast<double>(particle.share), 0.0, 1.0));
+    const std::size_t size =
+        is_by_size ? std::min(kSizes - 1, static_cast<std::size_t>(side * kSizes)) : 0;
+    Shape& shape = made.at(size);
+    const vtkIdType id =
+        shape.points->InsertNextPoint(particle.in_scene_m.x(), particle.in_scene_m.y(), z);
+    shape.cells->InsertNextCell(1, &id);
+    shape.add(with_opacity(is_by_size ? look_.colour : weight_colour(particle.share), opacity));
+  }
+  for (std::size_t size = 0; size < kSizes; ++size) {
+    take(*dots_.at(size).shape, made.at(size), false);
+    const double factor = is_by_size ? 2.5 * (static_cast<double>(size) + 1.0) / kSizes : 1.0;
+    dots_.at(size).actor->GetProperty()->SetPointSize(
+        static_cast<float>(std::max(1.0, factor * look_.size_pt * px_per_pt)));
+  }
+}
+
+void ParticleView::draw_ticks(const std::vector<std::size_t>& particles, const MapSight& sight) {
+  const double z = scene_.scene_from_enu({0.0, 0.0}, MapLayer::kParticles).z();
+  const double length_m = look_.heading_pt * sight.px_per_pt * sight.camera.metres_per_px;
+  Shape made;
+  for (const std::size_t i : particles) {
+    const Particle& particle = particles_[i];
+    const Eigen::Vector2d from = particle.in_scene_m.cast<double>();
+    const double yaw_rad = particle.yaw_rad;
+    const Eigen::Vector2d to =
+        from + length_m * Eigen::Vector2d(std::cos(yaw_rad), std::sin(yaw_rad));
+    const std::array<vtkIdType, 2> ends = {made.points->InsertNextPoint(from.x(), from.y(), z),
+                                           made.points->InsertNextPoint(to.x(), to.y(), z)};
+    made.cells->InsertNextCell(2, ends.data());
+    made.add(look_.weight == ParticleLook::Weight::kSize ? look_.colour
+                                                         : weight_colour(particle.share));
+  }
+  take(*ticks_.shape, made, true);
+  ticks_.actor->GetProperty()->SetLineWidth(
+      static_cast<float>(std::max(1.0, kTickWidthPt * sight.px_per_pt)));
+}
+
+void ParticleView::set_visible(bool visible) {
+  ticks_.actor->SetVisibility(visible ? 1 : 0);
+  for (Part& part : dots_) part.actor->SetVisibility(visible ? 1 : 0);
+}
 
 }  // namespace nadir

@@ -6,40 +6,74 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 
+#include <array>
+#include <optional>
+
 #include "core/mcl/particle_set.h"
 #include "widgets/views/map_scene.h"
 
 namespace nadir {
 
-/// How a cloud of particles is drawn.
+/// How a cloud of particles is drawn. Sizes are points of 1/72 inch, so that a small and a large page look alike.
 struct ParticleLook {
-  double size_px = 3.0;
-  double heading_m = 0.0;  ///< Length of the tick along each particle's heading; 0: none.
-  std::size_t most_drawn =
-      20'000;  ///< Of more, every k-th is drawn, so that a million draws as fast.
+  /// What a weight, as a share of the heaviest, is shown by: viridis from dark to light, or the area of the dot.
+  enum class Weight { kColour, kSize };
+  Weight weight = Weight::kColour;
+  double size_pt =
+      0.9;  ///< Side of a dot; where weight is size, of a heaviest one 2.5 times as much.
+  Rgba colour{0x56, 0xB4, 0xE9};  ///< Of all dots where weight is size.
+  double heading_pt = 6.0;        ///< Length of the tick along each heading; 0: none at any scale.
+  std::size_t most_drawn = 20'000;  ///< Of more in sight every second, fourth, eighth ... is left.
 };
 
-/// Shows a particle set on the map: viridis by weight, opacity falling with number, so that a dense cloud does not hide
-/// the ground. Owns its VTK pipeline; holds no core data after show() returns.
-class ParticleView {
+/// Shows a particle set on the map, by level of detail: a million draws as fast as twenty thousand, for only those in sight
+/// are drawn, and of too many every k-th with the heaviest one; k and with it the choice does not change while the map is
+/// moved. Heavy ones lie on top. Where they lie apart they are opaque and have ticks along their headings; a dense cloud
+/// lets the ground through and has none. Owns its VTK pipeline and a copy of the particles.
+class ParticleView : public SightedView {
  public:
   explicit ParticleView(MapScene& scene);
-  ~ParticleView();  ///< Takes its props out of the scene.
+  ~ParticleView() override;  ///< Takes its props out of the scene.
   ParticleView(const ParticleView&) = delete;
   ParticleView& operator=(const ParticleView&) = delete;
 
-  /// Copies; call only when the particles changed. Particles that are not finite are left out.
+  /// Copies; call only when the particles changed. Particles that are not finite are left out. Nothing is drawn before the
+  /// scene has been looked at.
   void show(const ParticleSet& particles, const ParticleLook& look = {});
   void set_visible(bool visible);
-  /// Of the last show().
+  void adapt_to(const MapSight& sight) override;
+
+  /// Of the last sight.
   [[nodiscard]] std::size_t drawn_count() const { return drawn_; }
+  [[nodiscard]] bool has_heading_ticks() const { return has_ticks_; }
 
  private:
+  /// Lines, or dots of one size.
+  struct Part {
+    vtkNew<vtkPolyData> shape;
+    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<vtkActor> actor;
+  };
+  struct Particle {
+    Eigen::Vector2f in_scene_m;  ///< Less the scene's origin: floats are fine enough there.
+    float yaw_rad = 0.0F;
+    float share = 0.0F;  ///< Of the heaviest one's weight.
+  };
+  static constexpr std::size_t kSizes = 5;
+
+  [[nodiscard]] std::vector<std::size_t> chosen(const MapSight& sight) const;
+  void rebuild(const MapSight& sight);
+  void draw_dots(const std::vector<std::size_t>& particles, double opacity, double px_per_pt);
+  void draw_ticks(const std::vector<std::size_t>& particles, const MapSight& sight);
+
   MapScene& scene_;
+  ParticleLook look_;
+  std::vector<Particle> particles_;
+  std::optional<MapSight> sight_;  ///< That the shapes are made for.
   std::size_t drawn_ = 0;
-  vtkNew<vtkPolyData> cloud_;
-  vtkNew<vtkPolyDataMapper> mapper_;
-  vtkNew<vtkActor> actor_;
+  bool has_ticks_ = false;
+  Part ticks_;  ///< Below the dots.
+  std::array<Part, kSizes> dots_;
 };
 
 }  // namespace nadir

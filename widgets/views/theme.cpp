@@ -60,6 +60,7 @@ Theme read_theme(ThemeName name) {
   made.estimate_on_imagery = colour("estimate_on_imagery");
   made.second_run = colour("second_run");
   made.third_run = colour("third_run");
+  made.fourth_run = colour("fourth_run");
   made.agreement = colour("agreement");
   made.disagreement = colour("disagreement");
   made.casing_on_imagery = colour("casing_on_imagery");
@@ -88,6 +89,28 @@ const Theme& theme(ThemeName name) {
                                               read_theme(ThemeName::kDark)};
   return themes.at(static_cast<std::size_t>(name));
 }
+
+namespace {
+
+constexpr std::size_t kRunColours = 4;
+
+Rgba run_colour_after(const Theme& theme, std::size_t run, Rgba first) {
+  const std::array<Rgba, kRunColours> colours = {first, theme.second_run, theme.third_run,
+                                                 theme.fourth_run};
+  return colours.at(run % kRunColours);
+}
+
+}  // namespace
+
+Rgba run_colour(const Theme& theme, std::size_t run) {
+  return run_colour_after(theme, run, theme.estimate);
+}
+
+Rgba run_colour_on_imagery(const Theme& theme, std::size_t run) {
+  return run_colour_after(theme, run, theme.estimate_on_imagery);
+}
+
+bool is_run_dashed(std::size_t run) { return run / kRunColours % 2 == 1; }
 
 Rgba with_opacity(Rgba colour, double opacity) {
   colour.alpha = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(opacity, 0.0, 1.0)));

@@ -23,10 +23,17 @@ struct EnumNames<ThemeName> {
 struct Theme {
   Rgba window, page, line, text, muted, accent, good, warning, bad;
   Rgba truth, truth_on_imagery, odometry, odometry_on_imagery, estimate, estimate_on_imagery;
-  Rgba second_run, third_run, agreement, disagreement, casing_on_imagery;
+  Rgba second_run, third_run, fourth_run, agreement, disagreement, casing_on_imagery;
 };
 
 [[nodiscard]] const Theme& theme(ThemeName name);
+
+/// Runs of one figure look different by their colour and, from the fifth on, by dashes: eight do, the ninth looks like the
+/// first. Charts and maps ask here, so that a run looks the same in both. @param run  0 for the first of a figure.
+[[nodiscard]] Rgba run_colour(const Theme& theme, std::size_t run);
+/// The same run over imagery, where the first one's blue is lighter.
+[[nodiscard]] Rgba run_colour_on_imagery(const Theme& theme, std::size_t run);
+[[nodiscard]] bool is_run_dashed(std::size_t run);
 
 /// The same colour with another opacity in [0, 1].
 [[nodiscard]] Rgba with_opacity(Rgba colour, double opacity);

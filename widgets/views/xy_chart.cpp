@@ -12,30 +12,18 @@
 #include <vtkStringArray.h>
 #include <vtkTextProperty.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/base/require.h"
 #include "widgets/canvas/canvas_device.h"
 #include "widgets/views/chart_layout.h"
 #include "widgets/views/chart_plots.h"
+#include "widgets/views/chart_texts.h"
+#include "widgets/views/no_canvas.h"
 
 namespace nadir {
 namespace {
-
-constexpr double kLineSpacing = 1.3;  ///< Of the titles, as in their layout.
-
-/// Takes a drawing that nobody sees.
-class NoCanvas : public Canvas {
- public:
-  void stroke(std::span<const Eigen::Vector2d> /*points*/, const StrokeStyle& /*style*/) override {}
-  void fill(std::span<const Eigen::Vector2d> /*outline*/, Rgba /*colour*/) override {}
-  void text(const Eigen::Vector2d& /*point*/,
-            const std::string& /*line*/,
-            const TextStyle& /*style*/) override {}
-  void image(const PageRect& /*where*/, const Raster<Rgba>& /*pixels*/) override {}
-  void push_clip(const PageRect& /*inside*/) override {}
-  void pop_clip() override {}
-};
 
 void set_text(vtkTextProperty& property, const TextStyle& style) {
   property.SetFontFamily(style.face == FontFace::kNumbers ? VTK_COURIER : VTK_ARIAL);
@@ -58,15 +46,19 @@ void set_range(vtkAxis& axis, const AxisRange& range, const Ticks& ticks) {
   for (const std::string& label : ticks.labels) labels->InsertNextValue(label);
   axis.SetRange(range.low, range.high);
   axis.SetCustomTickPositions(positions, labels);
+  axis.SetLabelsVisible(!ticks.at.empty());
 }
 
-void draw_titles(Canvas& canvas, const ChartLayout& layout, const PageRect& where) {
+void draw_titles(Canvas& canvas,
+                 const ChartLayout& layout,
+                 const TextStyle& x_style,
+                 const PageRect& where) {
   const Eigen::Vector2d centre = layout.plot.centre();
-  const TextStyle& x_style = layout.x_title_style;
-  double baseline = where.bottom + measure_text("g", x_style).descent +
-                    kLineSpacing * x_style.size_px * static_cast<double>(layout.x_title.size());
+  double baseline =
+      where.bottom + measure_text("g", x_style).descent +
+      kChartLineSpacing * x_style.size_px * static_cast<double>(layout.x_title.size());
   for (const std::string& line : layout.x_title) {
-    baseline -= kLineSpacing * x_style.size_px;
+    baseline -= kChartLineSpacing * x_style.size_px;
     canvas.text({centre.x(), baseline}, line, x_style);
   }
   // Turned to the left, so that lines follow each other to the right.
@@ -74,8 +66,19 @@ void draw_titles(Canvas& canvas, const ChartLayout& layout, const PageRect& wher
   baseline = where.left + measure_text("H", y_style).cap_height;
   for (const std::string& line : layout.y_title) {
     canvas.text({baseline, centre.y()}, line, y_style);
-    baseline += kLineSpacing * y_style.size_px;
+    baseline += kChartLineSpacing * y_style.size_px;
   }
+}
+
+/// Of a chart that is too small for more; nothing where it has no size.
+void draw_small_frame(Canvas& canvas, const PageRect& where, Rgba colour, double line_px) {
+  const double inset = line_px / 2.0;
+  if (!(where.width > line_px && where.height > line_px)) return;
+  const Eigen::Vector2d low(where.left + inset, where.bottom + inset);
+  const Eigen::Vector2d high(where.right() - inset, where.top() - inset);
+  const std::array<Eigen::Vector2d, 5> outline = {low, Eigen::Vector2d(high.x(), low.y()), high,
+                                                  Eigen::Vector2d(low.x(), high.y()), low};
+  canvas.stroke(outline, {colour, line_px});
 }
 
 }  // namespace
@@ -138,6 +141,7 @@ struct XyChart::Implementation {
     set_range(*chart->GetAxis(vtkAxis::BOTTOM), layout.x, layout.x_ticks);
     set_text(*chart->GetAxis(vtkAxis::BOTTOM)->GetLabelProperties(), layout.x_label_style);
     set_range(*chart->GetAxis(vtkAxis::LEFT), layout.y, layout.y_ticks);
+    set_text(*chart->GetAxis(vtkAxis::LEFT)->GetLabelProperties(), layout.y_label_style);
     chart->GetAxis(vtkAxis::LEFT)->Modified();  // a younger axis makes the chart lay out anew
     laid_out_for = where;
     is_settled = false;
@@ -159,6 +163,10 @@ struct XyChart::Implementation {
 
   void draw(Canvas& canvas, const PageRect& where, int page_width, int page_height) {
     lay_out_for(where);
+    if (layout.is_only_frame) {
+      draw_small_frame(canvas, where, theme.line, type.line_px);
+      return;
+    }
     if (!is_settled) {
       // VTK scales the points of plots by the axes of the paint before: wrong in the first one.
       NoCanvas nothing;
@@ -166,7 +174,7 @@ struct XyChart::Implementation {
       is_settled = true;
     }
     paint(canvas, page_width, page_height);
-    draw_titles(canvas, layout, where);
+    draw_titles(canvas, layout, type.title, where);
   }
 };
 
@@ -188,7 +196,8 @@ void XyChart::mark_x(std::optional<double> x) {
 double XyChart::needed_left_margin_px(const PageRect& where) const {
   ChartSpec spec = implementation_->spec;
   spec.left_margin_px = 0.0;
-  return lay_out(spec, implementation_->type, where).plot.left - where.left;
+  const ChartLayout layout = lay_out(spec, implementation_->type, where);
+  return layout.is_only_frame ? 0.0 : layout.plot.left - where.left;
 }
 
 PageRect XyChart::plot_area(const PageRect& where) const {

@@ -15,7 +15,11 @@ namespace nadir {
 /// legend_of()). Only the axis titles are drawn beside VTK, which would put them at a distance that does not grow with
 /// the type. The same spec gives the same drawing.
 ///
-/// For one thread. Lines longer than the pixels can show are thinned when they are first drawn at a width.
+/// Where there is little room words give way first, see lay_out(); below 24 points in either direction a chart is only a
+/// frame, and nothing where it has no size.
+///
+/// For one thread. Lines longer than the pixels can show are thinned when they are first drawn at a width. All that is
+/// laid out is kept until the chart is drawn elsewhere, so in a film it is made once and marked in every frame.
 class XyChart {
  public:
   /// @param px_per_pt  Pixels per point of 1/72 inch, above 0. Labels have 8 points, titles 9.
@@ -24,14 +28,14 @@ class XyChart {
   XyChart(XyChart&&) noexcept;
   XyChart& operator=(XyChart&&) noexcept;
 
-  /// @param where  Room for the whole chart; nothing is drawn outside. @param page_width, page_height  Pixels.
+  /// @param where  Room for the whole chart, of any size; nothing is drawn outside. @param page_width, page_height  Pixels.
   void draw(Canvas& canvas, const PageRect& where, int page_width, int page_height) const;
 
-  /// Moves the moment line, or takes it away; outside of the x axis it is not shown.
+  /// Moves the moment line, or takes it away; outside of the x axis it is not shown. Changes nothing else.
   void mark_x(std::optional<double> x);
 
   /// What the labels and the title of the y axis need; the largest of several charts as everybody's
-  /// ChartSpec::left_margin_px puts their axes below each other.
+  /// ChartSpec::left_margin_px puts their axes below each other. 0 where only a frame is drawn.
   [[nodiscard]] double needed_left_margin_px(const PageRect& where) const;
   /// Between the axes, when drawn there.
   [[nodiscard]] PageRect plot_area(const PageRect& where) const;

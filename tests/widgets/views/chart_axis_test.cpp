@@ -152,6 +152,12 @@ TEST(LogarithmicTicks, AreAtPowersOfTenOfLongRanges) {
               ElementsAre("10⁻⁶", "0.001", "1", "1000", "10⁶"));
 }
 
+TEST(LogarithmicTicks, AreNeverNoneWhereThereIsARoundNumber) {
+  // No power of ten in it, and no two labels fit.
+  EXPECT_THAT(logarithmic_ticks({0.15, 0.9}, at_most(1)).labels, ElementsAre("0.2"));
+  EXPECT_THAT(logarithmic_ticks({0.5, 20.0}, at_most(1)).at, testing::SizeIs(1));
+}
+
 TEST(YRange, HasAMarginOfATwentieth) {
   EXPECT_EQ(y_range_of(with_y({-1.0, 3.0, 0.0})), (AxisRange{-1.2, 3.2}));
 }

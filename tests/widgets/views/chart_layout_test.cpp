@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
-using testing::SizeIs;
+using testing::IsEmpty;
 
 constexpr double kPxPerPt = 96.0 / 72.0;
 
@@ -126,13 +126,13 @@ TEST(ChartLayout, BreaksTitlesThatAreTooLongForTheirAxis) {
   }
 }
 
-TEST(ChartLayout, MakesAWordSmallerThatIsLongerThanItsAxis) {
+TEST(ChartLayout, LeavesOutATitleWithoutUnitThatIsLongerThanItsAxisInsteadOfShrinkingIt) {
   ChartSpec spec = error_spec();
   spec.y.title = "Mahalanobis-distance";
   const ChartLayout layout = laid_out(spec, {0.0, 0.0, 500.0, 130.0});
-  const ChartType type(theme(ThemeName::kLight), kPxPerPt, false);
-  EXPECT_LT(layout.y_title_style.size_px, type.title.size_px);
-  EXPECT_LE(measure_text(spec.y.title, layout.y_title_style).width, layout.plot.height);
+  EXPECT_THAT(layout.y_title, IsEmpty());
+  EXPECT_THAT(layout.x_title, ElementsAre("time [s]"));
+  EXPECT_THAT(laid_out(spec, {0.0, 0.0, 500.0, 300.0}).y_title, ElementsAre(spec.y.title));
 }
 
 TEST(ChartLayout, NamesGroupsBelowTheirBars) {
@@ -150,9 +150,7 @@ TEST(ChartLayout, BreaksNamesOfGroupsAtSpaces) {
   EXPECT_GT(layout.plot.bottom, single.plot.bottom);
 }
 
-TEST(ChartLayout, MakesNamesOfGroupsSmallerAndThenCutsThem) {
-  const ChartLayout smaller = laid_out(bars_spec({"intermediate", "b", "c"}), {0, 0, 260, 200});
-  EXPECT_EQ(smaller.x_ticks.labels[0], "intermediate");
+TEST(ChartLayout, CutsNamesOfGroupsThatAreTooLong) {
   const ChartLayout cut =
       laid_out(bars_spec({"überaus-langer-name-eines-versuchs", "b", "c"}), {0, 0, 200, 200});
   EXPECT_THAT(cut.x_ticks.labels[0], EndsWith("…"));
@@ -172,13 +170,29 @@ TEST(ChartLayout, OfALogarithmicAxisBeginsAtZero) {
   }
 }
 
-TEST(ChartLayout, SurvivesRoomThatIsTooSmallForItsTexts) {
-  for (const double side : {1.0, 5.0, 20.0, 60.0}) {
-    const ChartLayout layout = laid_out(error_spec(), {0.0, 0.0, side, side});
+TEST(ChartLayout, IsOnlyAFrameWhereThereIsRoomForNothingElse) {
+  for (const auto& [width, height] :
+       {std::pair(-3.0, 50.0), {0.0, 10.0}, {1.0, 1.0}, {31.0, 400.0}, {400.0, 31.0}}) {
+    const ChartLayout layout = laid_out(error_spec(), {0.0, 0.0, width, height});
+    EXPECT_TRUE(layout.is_only_frame) << width << " x " << height;
     EXPECT_GT(layout.plot.width, 0.0);
     EXPECT_GT(layout.plot.height, 0.0);
+    EXPECT_THAT(layout.x_ticks.at, IsEmpty());
+    EXPECT_THAT(layout.y_title, IsEmpty());
   }
-  EXPECT_THROW((void)laid_out(error_spec(), {0.0, 0.0, 0.0, 10.0}), std::logic_error);
+  EXPECT_FALSE(laid_out(error_spec(), {0.0, 0.0, 33.0, 33.0}).is_only_frame);
+}
+
+TEST(ChartLayout, GivesThePlotAboutHalfOfTheChartAtLeast) {
+  for (double width = 33.0; width < 700.0; width *= 1.2) {
+    for (double height = 33.0; height < 700.0; height *= 1.2) {
+      const PageRect plot = laid_out(error_spec(), {3.5, 4.5, width, height}).plot;
+      EXPECT_GE(plot.width, 0.5 * width - 2.0) << width << " x " << height;
+      EXPECT_GE(plot.height, 0.45 * height - 2.0) << width << " x " << height;
+      EXPECT_LE(plot.right(), 3.5 + width);
+      EXPECT_LE(plot.top(), 4.5 + height);
+    }
+  }
 }
 
 TEST(ChartType, HasTheSizesOfPaper) {

@@ -24,14 +24,19 @@ class MapPage : public testing::Test {
   }
   static void TearDownTestSuite() { offscreen().reset(); }
 
+  [[nodiscard]] static Raster<Rgba> draw(MapScene& scene, const MapSight& sight) {
+    const int width = static_cast<int>(sight.width_px);
+    const int height = static_cast<int>(sight.height_px);
+    scene.look(sight);
+    auto drawn = offscreen()->render(scene.renderer(), width, height);
+    EXPECT_TRUE(drawn) << error_text(drawn);
+    return drawn ? *drawn : Raster<Rgba>(width, height);
+  }
   [[nodiscard]] static Raster<Rgba> draw(MapScene& scene,
                                          const MapCamera& camera,
                                          int width,
                                          int height) {
-    scene.look(camera, height);
-    auto drawn = offscreen()->render(scene.renderer(), width, height);
-    EXPECT_TRUE(drawn) << error_text(drawn);
-    return drawn ? *drawn : Raster<Rgba>(width, height);
+    return draw(scene, {camera, static_cast<double>(width), static_cast<double>(height), 1.0});
   }
 
   /// Colour at a place; nothing where it may be one or another.

@@ -1,70 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/views/overhead_view.h"
 
+#include <fstream>
 #include <numbers>
-#include <set>
 
-#include "tests/support/drawn_map.h"
-#include "tests/support/scenery.h"
-#include "tests/support/scratch_folder.h"
-#include "tests/widgets/views/map_page.h"
-#include "widgets/views/theme.h"
+#include "tests/widgets/views/map_on_the_ground.h"
 
 namespace nadir {
 namespace {
-
-using Layer = OverheadTiles::Layer;
-
-constexpr int kWidth = 120;
-constexpr int kHeight = 80;
-constexpr int kAnyNumber = 1000;
-
-class MapOnTheGround : public MapPage {
- protected:
-  static void SetUpTestSuite() {
-    MapPage::SetUpTestSuite();
-    folder() = std::make_unique<ScratchFolder>();
-    map() = std::make_unique<OverheadMap>(patchwork_map(700, 1100, 0.5));
-    ColourRaster picture(700, 1100);
-    for (int row = 0; row < 1100; ++row) {
-      for (int column = 0; column < 700; ++column) {
-        picture.at(column, row) = {static_cast<std::uint8_t>(column / 4),
-                                   static_cast<std::uint8_t>(row / 5), 100};
-      }
-    }
-    ASSERT_TRUE(write_overhead_map(*map(), {}, picture, folder()->path() / "map"));
-  }
-  static void TearDownTestSuite() {
-    map().reset();
-    folder().reset();
-    MapPage::TearDownTestSuite();
-  }
-
-  static OverheadTiles tiles(Layer layer) {
-    return OverheadTiles::open(folder()->path() / "map", layer).value();
-  }
-  static std::unique_ptr<ScratchFolder>& folder() {
-    static std::unique_ptr<ScratchFolder> made;
-    return made;
-  }
-  static std::unique_ptr<OverheadMap>& map() {
-    static std::unique_ptr<OverheadMap> made;
-    return made;
-  }
-  /// The class that the map has at a place, in its colour.
-  static std::optional<Rgba> label_at(const Eigen::Vector2d& point_in_enu) {
-    const Eigen::Vector2d cell = map()->overhead_from_enu(point_in_enu);
-    if (is_near_border(cell.x()) || is_near_border(cell.y())) return std::nullopt;
-    return class_colour(map()->class_at(point_in_enu));
-  }
-  static void update(OverheadView& view, const MapCamera& camera) {
-    const auto complete = view.update(camera, kWidth, kHeight, kAnyNumber);
-    ASSERT_TRUE(complete) << error_text(complete);
-    EXPECT_TRUE(*complete);
-  }
-
-  MapScene scene{map()->enu_from_overhead({350, 550})};
-};
 
 TEST_F(MapOnTheGround, ShowsEachCellInItsPlaceAndColour) {
   OverheadView view(scene, tiles(Layer::kLabels), Layer::kLabels);
@@ -141,20 +84,6 @@ TEST_F(MapOnTheGround, ShowsThePictureSoThatItsPixelsAreThoseOfTheFile) {
   }
 }
 
-TEST_F(MapOnTheGround, ComesPieceByPieceAndSaysSo) {
-  OverheadView view(scene, tiles(Layer::kLabels), Layer::kLabels);
-  const MapCamera camera{map()->enu_from_overhead({512.1, 512.4}), 0.23};  // four tiles meet here
-  std::vector<bool> complete;
-  for (int i = 0; i < 5; ++i) complete.push_back(view.update(camera, kWidth, kHeight, 1).value());
-  EXPECT_THAT(complete, testing::ElementsAre(false, false, false, true, true));
-  expect_everywhere(draw(scene, camera, kWidth, kHeight), camera, label_at);
-  // What is there already costs nothing.
-  EXPECT_TRUE(view.update(camera, kWidth, kHeight, 0).value());
-  // Elsewhere something would have to be read.
-  const MapCamera north{map()->enu_from_overhead({200, 1090}), 0.23};
-  EXPECT_FALSE(view.update(north, kWidth, kHeight, 0).value());
-}
-
 TEST_F(MapOnTheGround, NeedsNothingWhereTheMapIsNotInSight) {
   OverheadView view(scene, tiles(Layer::kLabels), Layer::kLabels);
   for (const Eigen::Vector2d& cell : {Eigen::Vector2d(-5000, 300), Eigen::Vector2d(200, 1e9)}) {
@@ -206,30 +135,6 @@ TEST_F(MapOnTheGround, LiesBelowWhatWasThereBeforeItsTilesCame) {
                     [&](const Eigen::Vector2d& point) -> std::optional<Rgba> {
                       return holds(patch, point) ? kRed : label_at(point);
                     });
-}
-
-TEST_F(MapOnTheGround, ForgetsWhatItHasShownWhenThereIsTooMuch) {
-  // One row of tiles, more than are kept.
-  const ScratchFolder own;
-  OverheadMap strip = drawn_map(0.5, {"R"});
-  strip.labels = Raster<ClassId>(512 * 200, 4, kRoad);
-  strip.labels.at(0, 0) = kTerrain;
-  ASSERT_TRUE(write_overhead_map(strip, {}, std::nullopt, own.path() / "strip"));
-  MapScene long_scene(strip.top_left_in_enu_m);
-  OverheadView view(long_scene, OverheadTiles::open(own.path() / "strip", Layer::kLabels).value(),
-                    Layer::kLabels);
-  const auto camera_at = [&](int tile) {
-    return MapCamera{strip.enu_from_overhead({512.0 * tile + 256.0, 2.0}), 0.1};
-  };
-  for (int tile = 0; tile < 200; ++tile) {
-    ASSERT_TRUE(view.update(camera_at(tile), kWidth, kHeight, 1).value());
-  }
-  EXPECT_TRUE(view.update(camera_at(199), kWidth, kHeight, 0).value());  // still there
-  EXPECT_TRUE(view.update(camera_at(20), kWidth, kHeight, 0).value());
-  EXPECT_FALSE(view.update(camera_at(0), kWidth, kHeight, 0).value());  // gone
-  EXPECT_TRUE(view.update(camera_at(0), kWidth, kHeight, 1).value());
-  EXPECT_EQ(draw(long_scene, camera_at(0), kWidth, kHeight).at(kWidth / 2, kHeight / 2),
-            class_colour(kRoad));
 }
 
 TEST_F(MapOnTheGround, SaysWhereItsFileIsDamaged) {

@@ -186,6 +186,41 @@ TEST_F(RasterOnTheGround, DrawsTheSameBytesTwice) {
   EXPECT_EQ(drawn(), drawn());
 }
 
+TEST_F(RasterOnTheGround, ShowsAPartOfAnotherWhereThatOneShowsIt) {
+  for (const double yaw_rad : {0.0, 0.4}) {
+    RasterView whole(scene, MapLayer::kPicture);
+    const Rigid2 corner{98, 203, yaw_rad};
+    whole.show(numbered(8, 4), corner, {1.0, 1.5}, false);
+    const Raster<Rgba> all = draw(scene, camera, kWidth, kHeight);
+    whole.set_visible(false);
+    const Eigen::AlignedBox2d part(Eigen::Vector2d(0.25, 0.5), Eigen::Vector2d(0.75, 1.0));
+    RasterView cut(scene, MapLayer::kPicture);
+    cut.show_part_of(whole, part);
+    const Raster<Rgba> drawn = draw(scene, camera, kWidth, kHeight);
+    const PageRect page{0, 0, kWidth, kHeight};
+    for (int row = 0; row < kHeight; ++row) {
+      for (int column = 0; column < kWidth; ++column) {
+        const Eigen::Vector2d point =
+            camera.enu_from_page(centre_of_pixel(drawn, column, row), page);
+        const Eigen::Vector2d in_picture = corner.inverse() * point;
+        const Eigen::Vector2d share(in_picture.x() / 8.0, -in_picture.y() / 6.0);
+        if (is_near_border(8.0 * share.x()) || is_near_border(4.0 * share.y())) continue;
+        ASSERT_EQ(drawn.at(column, row), part.contains(share) ? all.at(column, row) : kNothing);
+      }
+    }
+  }
+}
+
+TEST_F(RasterOnTheGround, HasNoPartsOfWhatIsNotShown) {
+  RasterView whole(scene, MapLayer::kPicture);
+  RasterView cut(scene, MapLayer::kPicture);
+  const Eigen::AlignedBox2d all(Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1));
+  EXPECT_THROW(cut.show_part_of(whole, all), std::logic_error);
+  whole.show(numbered(8, 4), {98, 203, 0.0}, {1.0, 1.0}, false);
+  EXPECT_THROW(cut.show_part_of(whole, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1.1, 1)}),
+               std::logic_error);
+}
+
 TEST_F(RasterOnTheGround, CannotBeEmpty) {
   RasterView view(scene, MapLayer::kPicture);
   EXPECT_THROW(view.show({}, {}, {1.0, 1.0}, false), std::logic_error);

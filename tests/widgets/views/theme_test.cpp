@@ -23,20 +23,16 @@ struct Named {
 /// Lines that are drawn over paper in one chart, and what they are drawn on.
 std::vector<Named> lines_on_paper(ThemeName name) {
   const Theme& colours = theme(name);
-  return {{"truth", colours.truth},
-          {"odometry", colours.odometry},
-          {"estimate", colours.estimate},
-          {"second run", colours.second_run},
-          {"third run", colours.third_run}};
+  return {{"truth", colours.truth},         {"odometry", colours.odometry},
+          {"estimate", colours.estimate},   {"second run", colours.second_run},
+          {"third run", colours.third_run}, {"fourth run", colours.fourth_run}};
 }
 
 std::vector<Named> lines_on_imagery(ThemeName name) {
   const Theme& colours = theme(name);
-  return {{"truth", colours.truth_on_imagery},
-          {"odometry", colours.odometry_on_imagery},
-          {"estimate", colours.estimate_on_imagery},
-          {"second run", colours.second_run},
-          {"third run", colours.third_run}};
+  return {{"truth", colours.truth_on_imagery},       {"odometry", colours.odometry_on_imagery},
+          {"estimate", colours.estimate_on_imagery}, {"second run", colours.second_run},
+          {"third run", colours.third_run},          {"fourth run", colours.fourth_run}};
 }
 
 // Sharma, Wu and Dalal 2005, table 1: pairs that wrong implementations get wrong.
@@ -163,6 +159,40 @@ TEST(Theme, HasTheColoursOfTheTable) {
   EXPECT_EQ(theme(ThemeName::kDark).estimate, (Rgba{0x56, 0xB4, 0xE9}));
   EXPECT_EQ(theme(ThemeName::kLight).casing_on_imagery, (Rgba{0x14, 0x17, 0x1A}));
   EXPECT_EQ(theme(ThemeName::kDark).line, (Rgba{0x2E, 0x35, 0x3B}));
+}
+
+TEST(RunLook, DiffersForEightRunsOnPaperAndOverImagery) {
+  for (const ThemeName name : kThemes) {
+    for (const auto colour_of : {run_colour, run_colour_on_imagery}) {
+      for (std::size_t a = 0; a < 8; ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+          EXPECT_TRUE(is_run_dashed(a) != is_run_dashed(b) ||
+                      difference(colour_of(theme(name), a), colour_of(theme(name), b)) > 60)
+              << a << " and " << b;
+        }
+      }
+      EXPECT_EQ(colour_of(theme(name), 8), colour_of(theme(name), 0));
+    }
+  }
+  EXPECT_EQ(is_run_dashed(8), is_run_dashed(0));
+}
+
+TEST(RunLook, IsTheSameOnPaperAndOverImageryButForTheFirstBlue) {
+  for (const ThemeName name : kThemes) {
+    const Theme& colours = theme(name);
+    EXPECT_EQ(run_colour(colours, 0), colours.estimate);
+    EXPECT_EQ(run_colour_on_imagery(colours, 0), colours.estimate_on_imagery);
+    for (const std::size_t run : {1U, 2U, 3U, 5U, 6U, 7U}) {
+      EXPECT_EQ(run_colour(colours, run), run_colour_on_imagery(colours, run)) << run;
+    }
+  }
+}
+
+TEST(RunLook, IsDashedFromTheFifthRunOn) {
+  EXPECT_FALSE(is_run_dashed(0));
+  EXPECT_FALSE(is_run_dashed(3));
+  EXPECT_TRUE(is_run_dashed(4));
+  EXPECT_TRUE(is_run_dashed(7));
 }
 
 TEST(WithOpacity, ChangesNothingElseAndClamps) {

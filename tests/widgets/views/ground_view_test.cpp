@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/views/ground_view.h"
+
+#include <numbers>
+
+#include "core/geo/rigid2.h"
+#include "core/map/overhead_map_file.h"
+#include "tests/support/scenery.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/widgets/views/map_page.h"
+#include "tests/widgets/views/space_page.h"
+#include "widgets/views/theme.h"
+
+namespace nadir {
+namespace {
+
+using Layer = OverheadTiles::Layer;
+
+class Ground : public SpacePage {
+ protected:
+  Ground() : map_(patchwork_map(1300, 700, 0.5)) {
+    const auto written = write_overhead_map(map_, {}, std::nullopt, scratch_.path() / "map");
+    EXPECT_TRUE(written) << error_text(written);
+  }
+  [[nodiscard]] OverheadTiles tiles() const {
+    return OverheadTiles::open(scratch_.path() / "map", Layer::kLabels).value();
+  }
+  [[nodiscard]] Eigen::Vector2d middle() const {
+    return map_.enu_from_overhead({map_.labels.width() / 2.0, map_.labels.height() / 2.0});
+  }
+
+  /// Compares each pixel with the class under it, by the inverse projection; borders of cells may go either way.
+  void expect_classes(const Raster<Rgba>& drawn,
+                      const SpaceCamera& camera,
+                      const Eigen::AlignedBox2d& shown) const {
+    int compared = 0;
+    int wrong = 0;
+    for (int row = 0; row < drawn.height(); ++row) {
+      for (int column = 0; column < drawn.width(); ++column) {
+        const auto place = camera.ground_from_page(centre_of_pixel(drawn, column, row), kPage);
+        const bool is_ground = place && shown.contains(*place) && map_.contains(*place);
+        if (place) {
+          const Eigen::Vector2d cell = map_.overhead_from_enu(*place);
+          const double edge_m = std::min((*place - shown.min()).cwiseAbs().minCoeff(),
+                                         (shown.max() - *place).cwiseAbs().minCoeff());
+          if (is_near_border(cell.x()) || is_near_border(cell.y()) || edge_m < 0.1) continue;
+        }
+        ++compared;
+        const Rgba expected = is_ground ? class_colour(map_.class_at(*place)) : kNothing;
+        wrong += drawn.at(column, row) == expected ? 0 : 1;
+      }
+    }
+    EXPECT_EQ(wrong, 0);
+    EXPECT_GT(compared, kPageWidth * kPageHeight * 8 / 10);
+  }
+
+  ScratchFolder scratch_;
+  OverheadMap map_;
+};
+
+TEST_F(Ground, LiesWhereTheInverseProjectionOfEachPixelSays) {
+  SpaceScene scene(middle());
+  GroundView view(scene, tiles(), Layer::kLabels);
+  // Across the borders of tiles, inside of the map and over its rim.
+  for (const Eigen::Vector2d& offset :
+       {Eigen::Vector2d(0, 0), Eigen::Vector2d(-70, 4), Eigen::Vector2d(-320, 170)}) {
+    for (const double yaw : {0.4, -2.0}) {
+      const Eigen::Vector2d target = middle() + offset;
+      const SpaceCamera camera{{target.x(), target.y(), 0.0}, 20.0, yaw, 0.6, 0.7};
+      const Eigen::AlignedBox2d shown(target - Eigen::Vector2d(9, 14),
+                                      target + Eigen::Vector2d(12, 8));
+      ASSERT_TRUE(view.show(shown, 0.05));
+      SCOPED_TRACE(testing::PrintToString(offset.x()) + ", yaw " + std::to_string(yaw));
+      expect_classes(draw(scene, camera), camera, shown);
+    }
+  }
+}
+
+TEST_F(Ground, OfManyTilesIsCoarserButStaysInItsPlace) {
+  SpaceScene scene(middle());
+  GroundView view(scene, tiles(), Layer::kLabels);
+  const Eigen::AlignedBox2d all(middle() - Eigen::Vector2d(400, 400),
+                                middle() + Eigen::Vector2d(400, 400));
+  const SpaceCamera camera{
+      {middle().x(), middle().y(), 0.0}, 900.0, 0.0, std::numbers::pi / 2.0, 0.7};
+  for (const double metres_per_px : {0.01, 4.0, 1e6}) {
+    ASSERT_TRUE(view.show(all, metres_per_px));
+    const Raster<Rgba> drawn = draw(scene, camera);
+    int outside = 0;
+    int missing = 0;
+    for (int row = 0; row < drawn.height(); ++row) {
+      for (int column = 0; column < drawn.width(); ++column) {
+        const auto place = camera.ground_from_page(centre_of_pixel(drawn, column, row), kPage);
+        ASSERT_TRUE(place);
+        const Eigen::Vector2d cell = map_.overhead_from_enu(*place);
+        const bool is_inside = cell.x() > 20 && cell.y() > 20 && cell.x() < 1280 && cell.y() < 680;
+        const bool is_outside =
+            cell.x() < -20 || cell.y() < -20 || cell.x() > 1320 || cell.y() > 720;
+        const bool is_drawn = drawn.at(column, row).alpha > 0;
+        missing += is_inside && !is_drawn && map_.class_at(*place) != kUnclassified ? 1 : 0;
+        outside += is_outside && is_drawn ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(missing, 0) << metres_per_px;
+    EXPECT_EQ(outside, 0) << metres_per_px;
+  }
+}
+
+TEST_F(Ground, AwayFromTheMapIsNothing) {
+  SpaceScene scene(middle());
+  GroundView view(scene, tiles(), Layer::kLabels);
+  for (const double away : {5'000.0, -5'000.0, 1e9}) {
+    const Eigen::Vector2d target = middle() + Eigen::Vector2d(away, away);
+    ASSERT_TRUE(
+        view.show({target - Eigen::Vector2d(10, 10), target + Eigen::Vector2d(10, 10)}, 0.1));
+    const SpaceCamera camera{{target.x(), target.y(), 0.0}, 20.0, 0.4, 0.6, 0.7};
+    EXPECT_EQ(draw(scene, camera), Raster<Rgba>(kPageWidth, kPageHeight, kNothing));
+  }
+}
+
+TEST_F(Ground, CanBeMadeTransparent) {
+  SpaceScene scene(middle());
+  GroundView view(scene, tiles(), Layer::kLabels);
+  view.set_opacity(0.5);
+  const Eigen::AlignedBox2d shown(middle() - Eigen::Vector2d(3, 3),
+                                  middle() + Eigen::Vector2d(3, 3));
+  ASSERT_TRUE(view.show(shown, 0.1));
+  const SpaceCamera camera{{middle().x(), middle().y(), 0.0}, 20.0, 0.4, 0.6, 0.1};
+  EXPECT_NEAR(draw(scene, camera).at(kPageWidth / 2, kPageHeight / 2).alpha, 128, 2);
+  view.set_opacity(1.0);
+  EXPECT_EQ(draw(scene, camera).at(kPageWidth / 2, kPageHeight / 2).alpha, 255);
+}
+
+}  // namespace
+}  // namespace nadir
