@@ -43,9 +43,15 @@ std::string range_words(const std::string& interval) {
 
 /// What stands for the value on the help page.
 std::string value_name(const OptionText& option) {
-  if (option.value == "true" || option.value == "false") return "{true|false}";
-  if (option.range.empty() || is_interval(option.range) || option.range == "any number") {
-    return "NUMBER";
+  switch (option.kind) {
+    case OptionKind::kBoolean:
+      return "{true|false}";
+    case OptionKind::kNumber:
+      return "NUMBER";
+    case OptionKind::kOwnText:
+      return option.range;
+    case OptionKind::kChoice:
+      break;
   }
   std::string choices = option.range;
   for (std::size_t at = choices.find(", "); at != std::string::npos; at = choices.find(", ")) {

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/figure_flow.h"
+#include "app/cli/help_page.h"
+#include "widgets/figures/figures.h"
 
 namespace nadir::cli {
 namespace {
@@ -24,25 +27,39 @@ struct FigureArguments {
   OptionFlags options;
 };
 
+/// Names and summaries, broken between words where a terminal ends.
 std::string figure_list() {
+  constexpr std::size_t kColumn = 18;
   std::string text = "Figures:\n";
   for (const FigureKind& kind : figure_kinds()) {
-    text += fmt::format("  {:<16}{}\n", kind.name, kind.summary);
+    std::string line = fmt::format("  {:<{}}", kind.name, kColumn - 3);
+    std::istringstream words{std::string(kind.summary)};
+    for (std::string word; words >> word;) {
+      if (line.size() + 1 + word.size() > kHelpWidth) {
+        text += line + "\n";
+        line = std::string(kColumn - 1, ' ');
+      }
+      line += " " + word;
+    }
+    text += line + "\n";
   }
   return text + "\nExample: nadir figure flight --run run.nadir --out flight.png";
 }
 
-void add_arguments(CLI::App& app, FigureArguments& values) {
-  CLI::Option* figure = app.add_option("FIGURE", values.figure,
-                                       "A figure by its name (below), or a recipe (a TOML file)");
-  app.add_option("--run", values.runs, "Run file; several for the figures that compare")
+void add_path_flags(CLI::App& app, FigureArguments& values) {
+  CLI::Option* figure =
+      app.add_option("FIGURE", values.figure,
+                     "A figure by its name (below), or a recipe: a TOML file, whose paths start at "
+                     "its own folder");
+  app.add_option("--run", values.runs, "Run file; given again for figures that compare")
       ->type_name("FILE")
-      ->excludes(
-          app.add_option("--recreate", values.recreated,
-                         "Draw a PNG or SVG again from the recipe that it carries; flags win "
-                         "over it")
-              ->type_name("FILE")
-              ->excludes(figure));
+      ->allow_extra_args(false)
+      ->excludes(app.add_option("--recreate", values.recreated,
+                                "Draw a PNG or SVG again from the recipe that it carries, whose "
+                                "paths start at the current folder; flags win over it, and a run, "
+                                "map or route that has changed since is told of")
+                     ->type_name("FILE")
+                     ->excludes(figure));
   app.add_option("--out", values.out,
                  "File to write: .png, .svg, .pdf or .mp4; - is a PNG on standard output")
       ->type_name("FILE")
@@ -52,8 +69,24 @@ void add_arguments(CLI::App& app, FigureArguments& values) {
   app.add_option("--route", values.route,
                  "Route file of figure 'route'; default the map's routes/loop.toml")
       ->type_name("FILE");
+}
+
+void add_arguments(CLI::App& app, FigureArguments& values) {
+  constexpr const char* kHeading = "Options of the figure";
+  add_path_flags(app, values);
   app.add_flag("--quiet", values.is_quiet, "No progress and no words");
-  add_option_flags(app, "Options of the figure", option_texts(FigureOptions{}), values.options);
+  std::vector<OptionText> with_values;
+  for (OptionText& option : option_texts(FigureOptions{})) {
+    if (option.kind == OptionKind::kBoolean) {  // all are off unless asked for
+      const auto switch_on = [&values, name = option.name](std::int64_t) {
+        values.options[name] = "true";
+      };
+      app.add_flag("--" + option.name, switch_on, option.help)->group(kHeading);
+    } else {
+      with_values.push_back(std::move(option));
+    }
+  }
+  add_option_flags(app, kHeading, with_values, values.options);
   app.footer(figure_list());
 }
 
@@ -71,8 +104,14 @@ Result<FigureRecipe> recipe_of(const FigureArguments& values) {
     recipe.figure = values.figure;
   }
   if (!values.runs.empty()) recipe.runs = values.runs;
-  if (!values.map.empty()) recipe.map = values.map;
-  if (!values.route.empty()) recipe.route = values.route;
+  if (!values.map.empty()) {
+    recipe.map = values.map;
+    recipe.inputs.map.clear();  // another one is no change
+  }
+  if (!values.route.empty()) {
+    recipe.route = values.route;
+    recipe.inputs.route.clear();
+  }
   if (!recipe.map.empty()) recipe.map = find_bundled(recipe.map).string();
   for (const auto& [name, text] : values.options) {
     if (auto set = set_option(recipe.options, name, text); !set) return forward_error(set);
@@ -94,13 +133,25 @@ int run_figure(std::span<const std::string> arguments, std::ostream& out, std::o
   const auto recipe = recipe_of(values);
   if (!recipe) return report_flags_error(err, kFigureName, recipe.error());
   const Interrupt interrupt;
-  ProgressBar bar(err, values.is_quiet);
-  const WorkContext work{interrupt.token(), [&bar](double fraction, const std::string& activity) {
-                           bar.show(fraction, activity);
-                         }};
-  const auto drawn =
-      values.out == "-" ? stream_figure(*recipe, out) : write_figure(*recipe, values.out, work);
-  if (!drawn) return report_flags_error(err, kFigureName, drawn.error());
+  Result<FigureNotes> notes;
+  {
+    ProgressBar bar(err, values.is_quiet);
+    const WorkContext work{interrupt.token(), [&bar](double fraction, const std::string& activity) {
+                             bar.show(fraction, activity);
+                           }};
+    notes = values.out == "-" ? stream_figure(*recipe, out, work)
+                              : write_figure(*recipe, values.out, work);
+  }
+  if (!notes) {
+    const bool is_lost = !values.recreated.empty() && notes.error().code == ErrorCode::kNotFound;
+    return report_flags_error(
+        err, kFigureName,
+        is_lost ? notes.error().within(values.recreated +
+                                       ": its paths start at the folder that it was drawn in")
+                : notes.error());
+  }
+  if (values.is_quiet) return kDone;
+  for (const std::string& note : *notes) err << "nadir: " << note << "\n";
   return kDone;
 }
 

@@ -6,10 +6,12 @@
 #include <string>
 
 #include "core/base/staged_output.h"
+#include "widgets/canvas/fonts.h"
 #include "widgets/canvas/png_file.h"
 #include "widgets/canvas/svg_canvas.h"
+#include "widgets/figures/figure_file.h"
+#include "widgets/figures/figures.h"
 #include "widgets/figures/film.h"
-#include "widgets/figures/report.h"
 
 namespace nadir::cli {
 namespace {
@@ -32,25 +34,27 @@ std::optional<PageFile> page_file(const std::string& ending) {
   return std::nullopt;
 }
 
-}  // namespace
+/// Before the work, so that a machine without fonts is told at once; hashes only where there are some to compare with.
+Result<FigureNotes> notes_on(const FigureRecipe& recipe,
+                             FigureSources& sources,
+                             const WorkContext& work) {
+  auto notes = check_fonts();
+  if (!notes) return notes;
+  const InputHashes& then = recipe.inputs;
+  if (then.runs.empty() && then.map.empty() && then.route.empty()) return notes;
+  const auto now = hash_inputs(recipe, sources, work);
+  if (!now) return forward_error(now);
+  for (std::string& sentence : changed_inputs(recipe, *now)) notes->push_back(std::move(sentence));
+  return notes;
+}
 
-Result<void> write_figure(const FigureRecipe& recipe,
-                          const fs::path& path,
-                          const WorkContext& work) {
-  const std::string ending = ending_of(path);
-  const auto kind = page_file(ending);
-  if (!kind && ending != ".mp4") {
-    return fail(ErrorCode::kInvalidOptions, "--out: {} does not end in .png, .svg, .pdf or .mp4",
-                path.string());
-  }
-  if (kind) {
-    const auto bytes = draw_recipe(recipe, *kind);
-    if (!bytes) return forward_error(bytes);
-    return write_text_file(path, *bytes);
-  }
+Result<void> draw_film(const FigureRecipe& recipe,
+                       const fs::path& path,
+                       FigureSources& sources,
+                       const WorkContext& work) {
   const auto known = figure_kind(recipe.figure);
   if (!known) return forward_error(known);
-  auto figure = make_figure(recipe);
+  const auto figure = make_figure(recipe, sources, work);
   if (!figure) return forward_error(figure);
   FigureContext context(page_format(recipe.options, known->aspect));
   context.supersampling = 1;
@@ -61,12 +65,42 @@ Result<void> write_figure(const FigureRecipe& recipe,
   return {};
 }
 
-Result<void> stream_figure(const FigureRecipe& recipe, std::ostream& out) {
-  const auto bytes = draw_recipe(recipe, PageFile::kPng);
+}  // namespace
+
+Result<FigureNotes> write_figure(const FigureRecipe& recipe,
+                                 const fs::path& path,
+                                 const WorkContext& work) {
+  const std::string ending = ending_of(path);
+  const auto kind = page_file(ending);
+  if (!kind && ending != ".mp4") {
+    return fail(ErrorCode::kInvalidOptions, "--out: {} does not end in .png, .svg, .pdf or .mp4",
+                path.string());
+  }
+  if (const auto free = StagedOutput::file(path); !free) return forward_error(free);
+  FigureSources sources;
+  auto notes = notes_on(recipe, sources, work);
+  if (!notes) return notes;
+  if (!kind) {
+    if (auto drawn = draw_film(recipe, path, sources, work); !drawn) return forward_error(drawn);
+    return notes;
+  }
+  const auto bytes = draw_recipe(recipe, *kind, sources, work);
+  if (!bytes) return forward_error(bytes);
+  if (auto written = write_text_file(path, *bytes); !written) return forward_error(written);
+  return notes;
+}
+
+Result<FigureNotes> stream_figure(const FigureRecipe& recipe,
+                                  std::ostream& out,
+                                  const WorkContext& work) {
+  FigureSources sources;
+  auto notes = notes_on(recipe, sources, work);
+  if (!notes) return notes;
+  const auto bytes = draw_recipe(recipe, PageFile::kPng, sources, work);
   if (!bytes) return forward_error(bytes);
   out << *bytes << std::flush;
   if (!out) return fail(ErrorCode::kIo, "standard output cannot be written");
-  return {};
+  return notes;
 }
 
 Result<FigureRecipe> stored_recipe(const fs::path& path) {

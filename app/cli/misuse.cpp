@@ -78,7 +78,8 @@ class Scan {
       check_.asks_for_help = true;
       return false;
     }
-    if (!given_.insert(option).second) complain(name + ": is given twice");
+    const bool is_first = given_.insert(option).second;
+    if (!is_first && option->get_items_expected_max() <= 1) complain(name + ": is given twice");
     if (!is_value_taken(*option)) {
       if (equals != std::string::npos) complain(name + ": takes no value");
       return false;

@@ -8,6 +8,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "widgets/canvas/fonts.h"
 #include "widgets/figures/report.h"
 
 namespace nadir::cli {
@@ -28,7 +29,7 @@ void add_arguments(CLI::App& app, ReportArguments& values) {
       ->type_name("FOLDER")
       ->required();
   app.add_option("--map", values.map,
-                 "Map package; default the one that the first run was localised on")
+                 "Map package for all runs; default the one that each was localised on")
       ->type_name("FOLDER");
   app.add_option("--theme", values.theme, "Colours of the figures, default light")
       ->type_name("{light|dark}")
@@ -46,6 +47,8 @@ int run_report(std::span<const std::string> arguments, std::ostream& out, std::o
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
   if (!values.map.empty()) values.request.map = find_bundled(values.map).string();
   if (values.theme == "dark") values.request.options.theme = ThemeName::kDark;
+  const auto fonts = check_fonts();
+  if (!fonts) return report_error(err, fonts.error());
   const Interrupt interrupt;
   Result<ReportSummary> summary;
   {
@@ -57,6 +60,7 @@ int run_report(std::span<const std::string> arguments, std::ostream& out, std::o
   }
   if (!summary) return report_flags_error(err, kReportName, summary.error());
   if (!values.is_quiet) {
+    for (const std::string& note : *fonts) err << "nadir: " << note << "\n";
     for (const std::string& words : summary->left_out) err << "left out: " << words << "\n";
     err << fmt::format("{} figures in {}; open {}/index.html\n", summary->figures, values.folder,
                        values.folder);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures that are charts alone: mse-bars, cdf, consistency.
+// Figures that are charts alone: mse-bars, cdf, consistency, timing.
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "widgets/figures/chart_panel.h"
 #include "widgets/figures/error_charts.h"
@@ -24,12 +27,12 @@ class ChartFigure : public Figure {
 
   Result<void> draw(Canvas& canvas, FigureContext& context) override {
     const PageFormat& format = context.format();
-    const std::vector<CaptionedChart> charts = make_(inputs_.runs, format.colours());
+    ChartGrid charts(make_(inputs_.runs, format.colours()), columns_);
     PageRect rest = page_inside(format);
     draw_foot(canvas, format, rest,
               (words_.empty() ? "" : words_ + " · ") + foot_of_all(inputs_.runs));
-    draw_page_legend(canvas, format, rest, legend_of_all(charts));
-    draw_charts(canvas, format, rest, charts, columns_);
+    draw_page_legend(canvas, format, rest, charts.legend());
+    charts.draw(canvas, format, rest);
     return {};
   }
 
@@ -59,6 +62,32 @@ std::vector<CaptionedChart> consistency_charts(std::span<const FigureRun> runs,
           {"(d) agreement with the map", agreement_chart(runs, theme)}};
 }
 
+std::vector<CaptionedChart> timing_charts(std::span<const FigureRun> runs, const Theme& theme) {
+  return {
+      {"(a) computing time of each update", timing_chart(runs.front(), theme)},
+      {"(b) particles and their effective sample size", sample_size_chart(runs.front(), theme)}};
+}
+
+/// "mean update 8.0 ms, longest 9.1 ms, steps 500 ms apart", as far as it is known.
+std::string timing_words(const FigureRun& run) {
+  double sum_ms = 0.0;
+  double longest_ms = 0.0;
+  int count = 0;
+  for (const RunStep& step : run.steps) {
+    if (!std::isfinite(step.update_ms)) continue;
+    sum_ms += step.update_ms;
+    longest_ms = std::max(longest_ms, step.update_ms);
+    ++count;
+  }
+  std::string words = "computing times are not known";
+  if (count > 0) {
+    words = fmt::format("mean update {:.1f} ms, longest {:.1f} ms", sum_ms / count, longest_ms);
+  }
+  const auto period_ms = step_period_ms(run);
+  if (period_ms) words += fmt::format(", steps {:.0f} ms apart", *period_ms);
+  return words;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Figure>> make_mse_bars(FigureInputs inputs) {
@@ -84,6 +113,11 @@ Result<std::unique_ptr<Figure>> make_consistency(FigureInputs inputs) {
                          words.empty() ? "" : " · ", 100.0 * *consistency.coverage_95);
   }
   return std::make_unique<ChartFigure>(std::move(inputs), consistency_charts, 2, words);
+}
+
+Result<std::unique_ptr<Figure>> make_timing(FigureInputs inputs) {
+  const std::string words = timing_words(inputs.runs.front());
+  return std::make_unique<ChartFigure>(std::move(inputs), timing_charts, 1, words);
 }
 
 }  // namespace nadir

@@ -4,15 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/angle.h"
 #include "core/map/map_index.h"
 #include "core/mcl/error_surface.h"
 #include "core/run/run_options.h"
 #include "widgets/figures/chart_panel.h"
-#include "widgets/figures/figures.h"
 #include "widgets/figures/page_layout.h"
 #include "widgets/figures/run_lines.h"
+#include "widgets/figures/timed_figure.h"
 #include "widgets/views/particle_view.h"
 #include "widgets/views/raster_view.h"
 
@@ -65,122 +66,159 @@ LineSpec slice(const ErrorSurface& surface, int axis, const std::string& name, R
   return line;
 }
 
-class Surface : public Figure {
+class Surface : public TimedFigure {
  public:
   Surface(std::unique_ptr<MapPanel> map, MapMatcher matcher, FigureInputs inputs)
-      : map_(std::move(map)),
+      : TimedFigure(std::move(inputs)),
+        map_(std::move(map)),
         matcher_(std::move(matcher)),
-        inputs_(std::move(inputs)),
         surface_(map_->scene(), MapLayer::kSurface),
-        particles_(map_->scene()) {
-    show_at(inputs_.options.time_s);
-  }
+        particles_(map_->scene()) {}
 
   Result<void> draw(Canvas& canvas, FigureContext& context) override {
-    const auto step = run().reader.step(run().steps[index_].step);
-    if (!step) return forward_error(step);
+    if (auto computed = compute_shown_step(); !computed) return computed;
     const PageFormat& format = context.format();
-    const Theme& theme = format.colours();
-    const Rigid2 centre = step->estimate.moments.mean;
+    const double px = format.px_per_pt();
     PageRect rest = page_inside(format);
-    if (!step->topview) {
-      draw_message(canvas, format, rest, "the run holds no topviews");
+    draw_foot(canvas, format, rest, words_);
+    if (!why_not_.empty()) {
+      draw_message(canvas, format, rest, why_not_);
       return {};
     }
-    const auto plane = error_surface(matcher_, *step->topview, centre, kPlane);
-    if (!plane) {
-      draw_message(canvas, format, rest, plane.error().message);
-      return {};
+    constexpr double kBesidePt = 320.0;
+    const bool is_wide = rest.width >= kBesidePt * px;
+    draw_page_legend(canvas, format, rest, legend(format.colours()));
+    const auto parts = is_wide ? fitting_columns(rest, {1.0, 0.9}, 12.0 * px, least_map(format))
+                               : fitting_rows(rest, {1.0, 0.9}, 8.0 * px, least_map(format));
+    if (auto drawn = draw_map(canvas, context, parts[0]); !drawn) return drawn;
+    if (!least_chart(format).fits_in(parts[1])) return {};
+    const std::size_t across = is_wide ? 1 : 2;
+    if (!charts_ || theme_ != format.theme || across_ != across) {
+      charts_.emplace(slices(format.colours()), across);
+      theme_ = format.theme;
+      across_ = across;
     }
-    const auto turn = error_surface(matcher_, *step->topview, centre, kTurn);
-    if (!turn) return forward_error(turn);
-    draw_foot(canvas, format, rest, words(*step));
-    draw_page_legend(canvas, format, rest, legend(theme, *step));
-    auto sides = columns(rest, {1.0, 0.9}, 12.0 * format.px_per_pt());
-    draw_caption(canvas, format, sides[0],
-                 "(a) cost over east and north at the estimated heading, light is cheap");
-    lay_on_map(*plane, *step);
-    const auto frame = map_->draw_ground(canvas, context, sides[0]);
-    if (!frame) return forward_error(frame);
-    canvas.push_clip(frame->where);
-    for (const Source source : {Source::kTruth, Source::kEstimate}) {
-      const auto pose = pose_of(*step, source);
-      if (!pose) continue;
-      draw_pose(canvas, *frame, *pose, 10.0,
-                source == Source::kTruth ? truth_look(theme) : estimate_look(theme));
-    }
-    canvas.pop_clip();
-    map_->draw_furniture(canvas, format, *frame);
-
-    ChartSpec along;
-    along.x.title = "offset from the estimate [m]";
-    along.y.title = "mean cost";
-    along.lines = {slice(*plane, 0, "along east", theme.estimate),
-                   slice(*plane, 1, "along north", theme.second_run)};
-    ChartSpec about;
-    about.x.title = "heading offset [deg]";
-    about.y.title = "mean cost";
-    about.lines = {slice(*turn, 2, "about the vertical", theme.third_run)};
-    const std::array<CaptionedChart, 2> charts = {
-        CaptionedChart{"(b) slices through the estimate", along},
-        CaptionedChart{"(c) heading", about}};
-    draw_charts(canvas, format, sides[1], charts, 1);
+    charts_->draw(canvas, format, parts[1]);
     return {};
   }
 
-  [[nodiscard]] std::optional<FigureTimes> times() const override { return times_of(inputs_.runs); }
-  void show_at(double time_s) override { index_ = run().index_at(time_s); }
-
  private:
-  [[nodiscard]] const FigureRun& run() const { return inputs_.runs.front(); }
-
-  void lay_on_map(const ErrorSurface& plane, const RunStep& step) {
-    const ErrorSurfaceGrid& grid = plane.grid;
-    // A sample stands in the middle of its pixel.
-    const Rigid2 centre = step.estimate.moments.mean;
-    const Eigen::Vector2d size_m = grid.step_m * Eigen::Vector2d(grid.count_x, grid.count_y);
-    surface_.show(picture_of(plane),
-                  {centre.x_m - size_m.x() / 2.0, centre.y_m + size_m.y() / 2.0, 0.0},
-                  Eigen::Vector2d::Constant(grid.step_m), false);
-    surface_.set_opacity(0.8);
-    const bool has_particles = inputs_.options.shows_particles && step.particles.has_value();
-    particles_.set_visible(has_particles);
-    if (has_particles) particles_.show(*step.particles);
-    map_->show_square(centre.translation_m(), 1.02 * size_m.maxCoeff());
+  /// Evaluates the surfaces of the step that is shown, once for all frames of a film that show it.
+  Result<void> compute_shown_step() {
+    if (step_ && shown_index_ == index()) return {};
+    auto step = read_step();
+    if (!step) return forward_error(step);
+    step_ = std::move(*step);
+    shown_index_ = index();
+    charts_.reset();
+    words_ = fmt::format("{:.1f} s after the start", run().elapsed_s(*step_));
+    why_not_.clear();
+    if (!step_->topview) {
+      why_not_ = "the run holds no topviews";
+    } else if (!is_finite(centre())) {
+      why_not_ = "the estimate of this step is not a number";
+    } else {
+      auto plane = error_surface(matcher_, *step_->topview, centre(), kPlane);
+      auto turn = error_surface(matcher_, *step_->topview, centre(), kTurn);
+      if (!plane || !turn) {
+        why_not_ = !plane ? plane.error().message : turn.error().message;
+      } else {
+        plane_ = std::move(*plane);
+        turn_ = std::move(*turn);
+        words_ += costs();
+        lay_on_map();
+      }
+    }
+    words_ += " · " + foot_of(run());
+    return {};
   }
 
-  [[nodiscard]] std::vector<LegendEntry> legend(const Theme& theme, const RunStep& step) const {
-    std::vector<LegendEntry> entries = {
-        {"estimate", theme.estimate_on_imagery, LegendEntry::Kind::kDot, theme.casing_on_imagery}};
-    if (step.truth_in_enu)
-      entries.push_back(
-          {"truth", theme.truth_on_imagery, LegendEntry::Kind::kDot, theme.casing_on_imagery});
+  [[nodiscard]] Rigid2 centre() const { return step_->estimate.moments.mean; }
+
+  void lay_on_map() {
+    const ErrorSurfaceGrid& grid = plane_.grid;
+    // A sample stands in the middle of its pixel.
+    const Eigen::Vector2d size_m = grid.step_m * Eigen::Vector2d(grid.count_x, grid.count_y);
+    surface_.show(picture_of(plane_),
+                  {centre().x_m - size_m.x() / 2.0, centre().y_m + size_m.y() / 2.0, 0.0},
+                  Eigen::Vector2d::Constant(grid.step_m), false);
+    surface_.set_opacity(0.8);
+    particles_.set_visible(shows_particles());
+    if (shows_particles()) particles_.show(*step_->particles);
+    map_->show_square(centre().translation_m(), 1.02 * size_m.maxCoeff());
+  }
+
+  [[nodiscard]] bool shows_particles() const {
+    return options().layers.has(FigureLayer::kParticles) && step_->particles.has_value();
+  }
+
+  Result<void> draw_map(Canvas& canvas, FigureContext& context, PageRect panel) {
+    const PageFormat& format = context.format();
+    if (!least_map(format).fits_in(panel)) return {};
+    draw_caption(canvas, format, panel, "(a) cost at the estimated heading, light is cheap");
+    const auto frame = map_->draw_ground(canvas, context, panel);
+    if (!frame) return forward_error(frame);
+    canvas.push_clip(frame->where);
+    for (const Source source : {Source::kTruth, Source::kEstimate}) {
+      const auto pose = pose_of(*step_, source);
+      if (!pose || !options().layers.has(layer_of(source))) continue;
+      draw_pose(canvas, *frame, *pose, 10.0, look_of(source, format.colours()));
+    }
+    canvas.pop_clip();
+    map_->draw_furniture(canvas, format, *frame);
+    return {};
+  }
+
+  [[nodiscard]] std::vector<CaptionedChart> slices(const Theme& theme) const {
+    ChartSpec along;
+    along.x.title = "offset from the estimate [m]";
+    along.y.title = "mean cost";
+    along.lines = {slice(plane_, 0, "slice along east", theme.estimate),
+                   slice(plane_, 1, "along north", theme.second_run)};
+    ChartSpec about;
+    about.x.title = "heading offset [deg]";
+    about.y.title = "mean cost";
+    about.lines = {slice(turn_, 2, "heading", theme.third_run)};
+    return {{"(b) through the estimate", along}, {"(c) heading", about}};
+  }
+
+  [[nodiscard]] std::vector<LegendEntry> legend(const Theme& theme) const {
+    std::vector<LegendEntry> entries;
+    for (const auto& [source, name] :
+         {std::pair(Source::kEstimate, "estimate"), std::pair(Source::kTruth, "truth")}) {
+      if (!pose_of(*step_, source) || !options().layers.has(layer_of(source))) continue;
+      const PathLook look = look_of(source, theme);
+      entries.push_back({name, look.colour, LegendEntry::Kind::kDot, look.casing});
+    }
+    if (shows_particles()) entries.push_back(particle_legend());
     entries.push_back({"slice along east", theme.estimate, LegendEntry::Kind::kLine});
     entries.push_back({"along north", theme.second_run, LegendEntry::Kind::kLine});
     entries.push_back({"heading", theme.third_run, LegendEntry::Kind::kLine});
     return entries;
   }
 
-  [[nodiscard]] std::string words(const RunStep& step) const {
-    std::string text = fmt::format("{:.1f} s after the start", run().elapsed_s(step));
-    const MatchCells cells = matcher_.prepare(*step.topview);
-    if (step.truth_in_enu) {
-      const double at_truth = matcher_.mean_cost(cells, *step.truth_in_enu);
-      const double at_estimate = matcher_.mean_cost(cells, step.estimate.moments.mean);
-      text += fmt::format(", mean cost {:.3f} at the estimate and {:.3f} at the truth: {}",
-                          at_estimate, at_truth,
-                          at_truth < at_estimate ? "the truth would have scored better"
-                                                 : "the estimate scores at least as well");
-    }
-    return text + " · " + foot_of(run());
+  [[nodiscard]] std::string costs() const {
+    if (!step_->truth_in_enu) return {};
+    const MatchCells cells = matcher_.prepare(*step_->topview);
+    const double at_truth = matcher_.mean_cost(cells, *step_->truth_in_enu);
+    const double at_estimate = matcher_.mean_cost(cells, centre());
+    return fmt::format(", mean cost {:.3f} at the estimate and {:.3f} at the truth: {}",
+                       at_estimate, at_truth,
+                       at_truth < at_estimate ? "the truth would have scored better"
+                                              : "the estimate scores at least as well");
   }
 
   std::unique_ptr<MapPanel> map_;  ///< Before the views, which lie in its scene.
   MapMatcher matcher_;
-  FigureInputs inputs_;
   RasterView surface_;
   ParticleView particles_;
-  std::size_t index_ = 0;
+  std::optional<RunStep> step_;  ///< The one of shown_index_; what follows is of it.
+  std::size_t shown_index_ = 0;
+  std::string words_, why_not_;
+  ErrorSurface plane_, turn_;
+  std::optional<ChartGrid> charts_;  ///< Of this theme and so many beside each other.
+  ThemeName theme_ = ThemeName::kLight;
+  std::size_t across_ = 0;
 };
 
 }  // namespace
@@ -190,7 +228,7 @@ Result<std::unique_ptr<Figure>> make_error_surface(FigureInputs inputs) {
   if (!labels) return forward_error(labels);
   auto matcher = MapMatcher::create(
       std::make_shared<const MapIndex>(std::make_shared<const OverheadMap>(std::move(*labels))),
-      options_of(inputs.runs.front().reader.header()));
+      options_of(inputs.runs.front().reader->header()));
   if (!matcher) return forward_error(matcher);
   auto panel = MapPanel::create(inputs.map, MapPanel::Ground::kPicture, inputs.options);
   if (!panel) return forward_error(panel);

@@ -24,7 +24,11 @@ Result<FigureRun> open_figure_run(const fs::path& path, const FigureOptions& opt
   auto steps = reader->steps();
   if (!steps) return forward_error(steps);
   if (steps->empty()) return fail(ErrorCode::kMalformed, "{}: holds no steps", path.string());
-  FigureRun run{path.stem().string(), path, std::move(*reader), steps->front().time_s, {}, {}, {}};
+  FigureRun run;
+  run.name = path.stem().string();
+  run.path = path;
+  run.start_s = steps->front().time_s;
+  run.reader = std::make_shared<const RunReader>(std::move(*reader));
   for (RunStep& step : *steps) {
     const double elapsed_s = run.elapsed_s(step);
     if (elapsed_s >= options.from_s && elapsed_s <= options.to_s) {
@@ -41,12 +45,12 @@ Result<FigureRun> open_figure_run(const fs::path& path, const FigureOptions& opt
   auto evaluation = evaluate_steps(run.judged);
   if (!evaluation) return forward_error(evaluation, path.string());
   run.evaluation = std::move(*evaluation);
-  describe(run.evaluation, run.reader.header(), path.string());
+  describe(run.evaluation, run.reader->header(), path.string());
   return run;
 }
 
 Result<fs::path> find_map_of(const FigureRun& run) {
-  const fs::path named = run.reader.header().map_path;
+  const fs::path named = run.reader->header().map_path;
   const fs::path last = named.has_filename() ? named.filename() : named.parent_path().filename();
   std::error_code error;
   for (const fs::path& candidate : {named, run.path.parent_path() / last}) {
@@ -58,15 +62,19 @@ Result<fs::path> find_map_of(const FigureRun& run) {
 
 std::string foot_of(const FigureRun& run) {
   const RunEvaluation& evaluation = run.evaluation;
-  const RunHeader& header = run.reader.header();
+  const RunHeader& header = run.reader->header();
   std::string text = fmt::format("{} on {}, preset {}, seed {}", header.flight, header.map,
                                  header.preset, header.seed);
-  if (!run.has_truth()) return text + fmt::format(" · {} steps, no truth", run.steps.size());
-  return text + fmt::format(" · {} alignment · {} matched pairs, {} steps dropped",
-                            enum_name(evaluation.alignment) == "none"
-                                ? std::string("no")
-                                : std::string(enum_name(evaluation.alignment)),
-                            evaluation.matched_pairs, evaluation.dropped_steps);
+  for (const std::string& remark : run.remarks) text += " · " + remark;
+  if (run.has_truth()) {
+    text += fmt::format(
+        " · {} alignment · {} matched pairs, {} steps dropped",
+        evaluation.alignment == Alignment::kNone ? "no" : enum_name(evaluation.alignment),
+        evaluation.matched_pairs, evaluation.dropped_steps);
+  } else {
+    text += fmt::format(" · {} steps, no truth", run.steps.size());
+  }
+  return text;
 }
 
 std::optional<Rigid2> pose_of(const RunStep& step, Source source) {

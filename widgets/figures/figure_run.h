@@ -13,14 +13,17 @@
 namespace nadir {
 
 /// A recorded run as figures use it: all its steps without particles and topviews, which are read when they are drawn.
+/// Copies read the same open file.
 struct FigureRun {
   std::string name;  ///< For legends: the file's name without ending.
   std::filesystem::path path;
-  RunReader reader;
+  std::shared_ptr<const RunReader> reader;
   double start_s = 0.0;               ///< Time of the run's first step; figures count from there.
   std::vector<RunStep> steps;         ///< Those between `from` and `to`; never empty.
   std::vector<EvaluatedStep> judged;  ///< The same as the evaluation sees them.
   RunEvaluation evaluation;           ///< Of these steps, without alignment.
+  /// What a reader of the figure must know beside that, said in its foot: "the map has changed since the run".
+  std::vector<std::string> remarks;
 
   [[nodiscard]] double elapsed_s(const RunStep& step) const { return step.time_s - start_s; }
   /// The last step that is not after the moment, else the first.
@@ -36,7 +39,7 @@ struct FigureRun {
 /// @errors kNotFound: "R.nadir: its map PATH is not there; name one with --map".
 [[nodiscard]] Result<std::filesystem::path> find_map_of(const FigureRun& run);
 
-/// "no alignment, 401 matched pairs, 0 steps dropped": what every figure with errors says at its foot.
+/// "no alignment, 401 matched pairs, 0 steps dropped" and the remarks: what every figure of a run says at its foot.
 [[nodiscard]] std::string foot_of(const FigureRun& run);
 
 /// Positions of a run's steps in enu, metres; not finite where not known.

@@ -6,37 +6,128 @@
 #include <cmath>
 
 #include "core/base/settings.h"
+#include "widgets/figures/figure_sources.h"
+#include "widgets/figures/run_lines.h"
+#include "widgets/figures/run_on_map.h"
 
 namespace nadir {
 namespace {
 
 constexpr std::size_t kMany = 1000;
 
-constexpr std::array<FigureKind, 12> kFigures{{
-    {"overhead-pair", "the overhead beside its labels (4-1)", 0, 1, true, false, 1.75,
+constexpr std::array<FigureKind, 14> kFigures{{
+    {"overhead-pair",
+     "the overhead beside its labels (4-1)",
+     0,
+     1,
+     true,
+     false,
+     {2.0, 0.6},
      make_overhead_pair},
-    {"route", "numbered waypoints over the overhead (4-2, 4-3)", 0, 1, true, false, 1.25,
+    {"route",
+     "numbered waypoints over the overhead (4-2, 4-3)",
+     0,
+     1,
+     true,
+     false,
+     {1.25, 1.1},
      make_route},
-    {"flight", "trajectories with ellipses, errors over time (4-4 to 4-6)", 1, 1, true, true, 1.0,
+    {"flight",
+     "trajectories with ellipses, errors over time (4-4 to 4-6)",
+     1,
+     1,
+     true,
+     true,
+     {1.0, 0.5},
      make_flight},
-    {"mse-bars", "mean squared errors of each run, input against estimate (4-7)", 1, kMany, false,
-     true, 2.0, make_mse_bars},
-    {"cdf", "distribution of position and orientation errors (4-8)", 1, kMany, false, true, 2.2,
+    {"mse-bars",
+     "mean squared errors of each run, input against estimate (4-7)",
+     1,
+     kMany,
+     false,
+     true,
+     {2.0, 1.2},
+     make_mse_bars},
+    {"cdf",
+     "distribution of position and orientation errors (4-8)",
+     1,
+     kMany,
+     false,
+     true,
+     {2.2, 1.2},
      make_cdf},
-    {"trajectories", "truth, odometry and estimate over the overhead (4-9, 4-11)", 1, kMany, true,
-     false, 1.25, make_trajectories},
-    {"labels", "the labelled overhead with its classes (4-10)", 0, 1, true, false, 1.25,
+    {"trajectories",
+     "truth, odometry and estimate over the overhead (4-9, 4-11)",
+     1,
+     kMany,
+     true,
+     false,
+     {1.25, 1.05},
+     make_trajectories},
+    {"labels",
+     "the labelled overhead with its classes (4-10)",
+     0,
+     1,
+     true,
+     false,
+     {1.25, 0.95},
      make_labels},
-    {"reconstruction", "all topviews at odometry and estimate (4-12, 4-13)", 1, 1, true, false,
-     1.75, make_reconstruction},
-    {"consistency", "is the filter as sure as it may be: NEES, coverage, deviations", 1, 1, false,
-     true, 1.3, make_consistency},
-    {"moment", "one instant: particles, camera, topview against the map", 1, 1, true, false, 1.45,
+    {"reconstruction",
+     "all topviews at odometry and estimate (4-12, 4-13)",
+     1,
+     1,
+     true,
+     false,
+     {1.15, 0.6},
+     make_reconstruction},
+    {"consistency",
+     "is the filter as sure as it may be: NEES, coverage, deviations",
+     1,
+     1,
+     false,
+     true,
+     {1.3, 0.7},
+     make_consistency},
+    {"timing",
+     "computing time, effective sample size and particles over time",
+     1,
+     1,
+     false,
+     false,
+     {1.5, 0.9},
+     make_timing},
+    {"moment",
+     "one instant: particles, camera, topview against the map",
+     1,
+     1,
+     true,
+     false,
+     {1.2, 0.42},
      make_moment},
-    {"error-surface", "cost of every pose around the estimate at one instant", 1, 1, true, false,
-     1.8, make_error_surface},
-    {"compare", "several runs over the overhead and their errors over time", 2, kMany, true, true,
-     1.0, make_compare},
+    {"scene",
+     "one instant in space: the camera's labelled points on the overhead",
+     1,
+     1,
+     true,
+     false,
+     {1.5, 1.0},
+     make_scene},
+    {"error-surface",
+     "cost of every pose around the estimate at one instant",
+     1,
+     1,
+     true,
+     false,
+     {1.55, 0.6},
+     make_error_surface},
+    {"compare",
+     "several runs over the overhead and their errors over time",
+     2,
+     kMany,
+     true,
+     true,
+     {1.0, 0.5},
+     make_compare},
 }};
 
 Result<void> check_runs(const FigureKind& kind, const FigureRecipe& recipe) {
@@ -69,51 +160,97 @@ Result<FigureKind> figure_kind(std::string_view name) {
               nearest.empty() ? std::string() : fmt::format(" (did you mean {}?)", nearest));
 }
 
-PageFormat page_format(const FigureOptions& options, double aspect) {
+PageFormat page_format(const FigureOptions& options, const PageShape& aspect) {
   // A page of 7.5 inches, the width of a text column and its margins; below 720 pixels text keeps a size that can be read.
   constexpr double kPageInches = 7.5;
   constexpr double kLeastDpi = 96.0;
   PageFormat format;
-  format.width = options.width;
-  format.height = options.height > 0
-                      ? options.height
-                      : std::max(1, static_cast<int>(std::lround(options.width / aspect)));
-  format.dpi = options.dpi > 0.0 ? options.dpi : std::max(kLeastDpi, options.width / kPageInches);
+  const auto [width, height] = options.size;
+  format.width = width;
+  format.dpi = options.dpi > 0.0 ? options.dpi : std::max(kLeastDpi, width / kPageInches);
+  constexpr double kNarrowPt = 240.0;
+  constexpr double kWidePt = 400.0;
+  const double share =
+      std::clamp((width / format.px_per_pt() - kNarrowPt) / (kWidePt - kNarrowPt), 0.0, 1.0);
+  const double shape = std::lerp(aspect.narrow, aspect.wide, share);
+  format.height = height > 0 ? height : std::max(1, static_cast<int>(std::lround(width / shape)));
   format.theme = options.theme;
   format.is_transparent = options.is_transparent;
   return format;
 }
 
+namespace {
+
+Result<void> check_request(const FigureKind& kind, const FigureRecipe& recipe) {
+  if (auto valid = validate(recipe.options); !valid) return valid;
+  constexpr double kLeastCropM = 0.1;  // less is no ground that a map could show, and no ticks fit
+  const double crop_m = recipe.options.crop_width_m;
+  if (crop_m > 0.0 && crop_m < kLeastCropM) {
+    return fail(ErrorCode::kInvalidOptions, "--crop-width: {} is neither 0 nor at least {} m",
+                crop_m, kLeastCropM);
+  }
+  constexpr double kLeastWidthPt = 100.0;
+  constexpr double kLeastHeightPt = 60.0;
+  const PageFormat page = page_format(recipe.options, kind.aspect);
+  const double px = page.px_per_pt();
+  if (page.width < kLeastWidthPt * px || page.height < kLeastHeightPt * px) {
+    return fail(ErrorCode::kInvalidOptions,
+                "a page of {} x {} pixels at {:g} dpi is too small for a figure (--size, --dpi)",
+                page.width, page.height, page.dpi);
+  }
+  return check_runs(kind, recipe);
+}
+
+Result<std::vector<FigureRun>> open_runs(const FigureKind& kind,
+                                         const FigureRecipe& recipe,
+                                         FigureSources& sources,
+                                         const WorkContext& work) {
+  std::vector<FigureRun> runs;
+  for (const std::string& path : recipe.runs) {
+    if (work.is_stopped()) return fail(ErrorCode::kCancelled, "{}: was stopped", path);
+    auto run = sources.run(path, recipe.options);
+    if (!run) return forward_error(run);
+    if (kind.needs_truth && !run->has_truth()) {
+      return fail(ErrorCode::kMalformed, "{}: has no truth, which figure '{}' needs", path,
+                  kind.name);
+    }
+    runs.push_back(std::move(*run));
+  }
+  name_apart(runs);
+  return runs;
+}
+
+}  // namespace
+
 Result<std::unique_ptr<Figure>> make_figure(const FigureRecipe& recipe) {
+  FigureSources sources;
+  return make_figure(recipe, sources, {});
+}
+
+Result<std::unique_ptr<Figure>> make_figure(const FigureRecipe& recipe,
+                                            FigureSources& sources,
+                                            const WorkContext& work) {
   const auto kind = figure_kind(recipe.figure);
   if (!kind) return forward_error(kind);
-  if (auto valid = validate(recipe.options); !valid) return forward_error(valid);
-  constexpr double kLeastCropM = 0.1;  // less is no ground that a map could show, and no ticks fit
-  if (recipe.options.crop_width_m > 0.0 && recipe.options.crop_width_m < kLeastCropM) {
-    return fail(ErrorCode::kInvalidOptions, "--crop-width: {} is neither 0 nor at least {} m",
-                recipe.options.crop_width_m, kLeastCropM);
-  }
-  if (auto enough = check_runs(*kind, recipe); !enough) return forward_error(enough);
-  FigureInputs inputs;
-  inputs.options = recipe.options;
-  inputs.route = recipe.route;
-  for (const std::string& path : recipe.runs) {
-    auto run = open_figure_run(path, recipe.options);
-    if (!run) return forward_error(run);
-    if (kind->needs_truth && !run->has_truth()) {
-      return fail(ErrorCode::kMalformed, "{}: has no truth, which figure '{}' needs", path,
-                  kind->name);
+  if (auto valid = check_request(*kind, recipe); !valid) return forward_error(valid);
+  auto runs = open_runs(*kind, recipe, sources, work);
+  if (!runs) return forward_error(runs);
+  auto map = map_of_recipe(recipe, sources);
+  if (!map) return forward_error(map);
+  FigureInputs inputs{recipe.options, std::move(*runs), *map, route_of_recipe(recipe, *map)};
+  // A figure that takes a run only to find its map draws nothing of it.
+  if (kind->fewest_runs > 0) {
+    if (kind->needs_map) {
+      const auto facts = sources.map(*map);
+      if (!facts) return forward_error(facts);
+      for (FigureRun& run : inputs.runs) {
+        if (auto laid = lay_on_map(run, *map, *facts); !laid) return forward_error(laid);
+      }
     }
-    inputs.runs.push_back(std::move(*run));
+    remark_on_flights(inputs.runs, kind->needs_map);
   }
-  inputs.map = recipe.map;
-  if (kind->needs_map && inputs.map.empty()) {
-    if (inputs.runs.empty()) {
-      return fail(ErrorCode::kInvalidOptions, "figure '{}' needs a map (--map FOLDER)", kind->name);
-    }
-    auto map = find_map_of(inputs.runs.front());
-    if (!map) return forward_error(map);
-    inputs.map = *map;
+  if (work.is_stopped()) {
+    return fail(ErrorCode::kCancelled, "figure '{}': was stopped", kind->name);
   }
   return kind->make(std::move(inputs));
 }

@@ -44,6 +44,28 @@ bool open_writer(cv::VideoWriter& writer, const std::string& file, double fps, c
   return false;
 }
 
+/// OpenCV writes on without a word where the disk is full, so what is there is read again.
+Result<void> check_film(const std::string& file,
+                        const std::filesystem::path& named,
+                        int frames,
+                        cv::Size size) {
+  const cv::VideoCapture film(file, cv::CAP_FFMPEG);
+  const int found = film.isOpened() ? static_cast<int>(film.get(cv::CAP_PROP_FRAME_COUNT)) : 0;
+  if (found != frames) {
+    return fail(ErrorCode::kIo,
+                "{}: only {} of {} frames could be written to the temporary folder {}; is it full?",
+                named.string(), found, frames,
+                std::filesystem::path(file).parent_path().parent_path().string());
+  }
+  const cv::Size written(static_cast<int>(film.get(cv::CAP_PROP_FRAME_WIDTH)),
+                         static_cast<int>(film.get(cv::CAP_PROP_FRAME_HEIGHT)));
+  if (written != size) {
+    return fail(ErrorCode::kIo, "{}: was written with {} x {} pixels and not {} x {}",
+                named.string(), written.width, written.height, size.width, size.height);
+  }
+  return {};
+}
+
 cv::Mat frame_of(Raster<Rgba>& pixels, cv::Size size) {
   const cv::Mat rgba(pixels.height(), pixels.width(), CV_8UC4, pixels.data());
   cv::Mat bgr;
@@ -74,8 +96,14 @@ Result<FilmSummary> write_film(Figure& figure,
     return fail(ErrorCode::kInvalidOptions, "{}: no time between {:g} s and {:g} s", path.string(),
                 options.from_s, options.to_s);
   }
+  const double frames = std::floor((to_s - from_s) / step_s + 1e-9) + 1.0;
+  if (!(frames <= kMostFilmFrames)) {
+    return fail(ErrorCode::kInvalidOptions,
+                "{}: {:.0f} frames are more than {}; a lower --fps or a higher --speed makes fewer",
+                path.string(), frames, kMostFilmFrames);
+  }
   FilmSummary summary;
-  summary.frames = static_cast<int>(std::floor((to_s - from_s) / step_s + 1e-9)) + 1;
+  summary.frames = static_cast<int>(frames);
   summary.length_s = summary.frames / options.fps;
   auto staged = StagedOutput::file(path);
   if (!staged) return forward_error(staged);
@@ -100,6 +128,9 @@ Result<FilmSummary> write_film(Figure& figure,
       work.report(static_cast<double>(i + 1) / summary.frames, "drawing the film");
     }
     writer.release();
+    if (auto whole = check_film(file, path, summary.frames, size); !whole) {
+      return forward_error(whole);
+    }
   } catch (const cv::Exception& error) {
     return fail(ErrorCode::kIo, "{}: {}", path.string(), error.err);
   }

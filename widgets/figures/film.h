@@ -14,15 +14,18 @@ struct FilmOptions {
   double from_s = 0.0, to_s = 1e9;  ///< Cut to the figure's own times.
 };
 
+/// More than an hour at 25 a second; who asks for more has mistaken a unit.
+inline constexpr int kMostFilmFrames = 100'000;
+
 struct FilmSummary {
   int frames = 0;
   double length_s = 0.0;
 };
 
 /// Draws a figure that has times as an MP4 (H.264, else MPEG-4; 4:2:0, so sides are made even by cutting a pixel). Written
-/// aside and renamed, so that a film that is there is whole.
-/// @errors kUnsupported: a figure without times, no encoder; kInvalidOptions: not a single frame; kCancelled; kIo; as
-/// Figure::draw.
+/// aside, read again and renamed, so that a film that is there is whole.
+/// @errors kUnsupported: a figure without times, no encoder; kInvalidOptions: not a single frame or more than
+/// kMostFilmFrames; kCancelled; kIo, a full disk among it; as Figure::draw.
 [[nodiscard]] Result<FilmSummary> write_film(Figure& figure,
                                              FigureContext& context,
                                              const FilmOptions& options,

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Figures of flights in five panels: flight, compare.
+#include <optional>
+
 #include "widgets/figures/chart_panel.h"
 #include "widgets/figures/error_charts.h"
-#include "widgets/figures/figures.h"
 #include "widgets/figures/page_layout.h"
 #include "widgets/figures/run_lines.h"
+#include "widgets/figures/timed_figure.h"
 
 namespace nadir {
 namespace {
@@ -12,51 +14,66 @@ namespace {
 using MakeCharts = std::vector<CaptionedChart> (*)(std::span<const FigureRun>, const Theme&);
 
 /// A map with the runs on top, charts below; a film moves along both.
-class MapAndCharts : public Figure {
+class MapAndCharts : public TimedFigure {
  public:
   MapAndCharts(std::unique_ptr<MapPanel> map, FigureInputs inputs, MakeCharts make)
-      : map_(std::move(map)), inputs_(std::move(inputs)), make_(make) {
-    for (const FigureRun& run : inputs_.runs) include_run(*map_, run);
+      : TimedFigure(std::move(inputs)), map_(std::move(map)), make_(make) {
+    for (const FigureRun& each : runs()) include_run(*map_, each);
   }
 
   Result<void> draw(Canvas& canvas, FigureContext& context) override {
     const PageFormat& format = context.format();
     const Theme& theme = format.colours();
-    std::vector<CaptionedChart> charts = make_(inputs_.runs, theme);
-    if (is_moment_shown_) {
-      for (CaptionedChart& chart : charts) chart.chart.marked_x = time_s_;
-    }
+    ChartGrid& charts = charts_for(format.theme);
     PageRect rest = page_inside(format);
-    draw_foot(canvas, format, rest, foot_of_all(inputs_.runs));
-    std::vector<LegendEntry> legend = run_legend(inputs_.runs, theme);
-    for (const LegendEntry& entry : legend_of_all(charts)) {
-      if (entry.kind == LegendEntry::Kind::kBand) legend.push_back(entry);
-    }
-    draw_page_legend(canvas, format, rest, legend);
-    std::vector<PageRect> parts = rows(rest, {1.1, 1.0}, 8.0 * format.px_per_pt());
-    draw_caption(canvas, format, parts[0], "(a) trajectories");
-    const auto frame = map_->draw_ground(canvas, context, parts[0]);
-    if (!frame) return forward_error(frame);
-    canvas.push_clip(frame->where);
-    draw_runs(canvas, *frame, inputs_.runs, inputs_.options, time_s_, theme);
-    canvas.pop_clip();
-    map_->draw_furniture(canvas, format, *frame);
-    draw_charts(canvas, format, parts[1], charts, 2);
+    draw_foot(canvas, format, rest, foot_of_all(runs()));
+    draw_page_legend(canvas, format, rest, legend(theme, charts));
+    const std::vector<PageRect> parts =
+        fitting_rows(rest, {1.1, 1.0}, 8.0 * format.px_per_pt(), least_map(format));
+    if (auto drawn = draw_map(canvas, context, parts[0]); !drawn) return drawn;
+    if (!least_chart(format).fits_in(parts[1])) return {};
+    charts.mark_x(is_moment_in_runs() ? std::optional(time_s()) : std::nullopt);
+    charts.draw(canvas, format, parts[1]);
     return {};
   }
 
-  [[nodiscard]] std::optional<FigureTimes> times() const override { return times_of(inputs_.runs); }
-  void show_at(double time_s) override {
-    time_s_ = time_s;
-    is_moment_shown_ = true;
+ private:
+  /// The same for every frame of a film: what is told apart by colour is made anew for another theme.
+  ChartGrid& charts_for(ThemeName theme_name) {
+    if (!charts_ || theme_ != theme_name) {
+      constexpr std::size_t kAcross = 2;
+      charts_.emplace(make_(runs(), theme(theme_name)), kAcross);
+      theme_ = theme_name;
+    }
+    return *charts_;
   }
 
- private:
+  Result<void> draw_map(Canvas& canvas, FigureContext& context, PageRect panel) {
+    const PageFormat& format = context.format();
+    if (!least_map(format).fits_in(panel)) return {};
+    draw_caption(canvas, format, panel, "(a) trajectories");
+    const auto frame = map_->draw_ground(canvas, context, panel);
+    if (!frame) return forward_error(frame);
+    canvas.push_clip(frame->where);
+    draw_runs(canvas, *frame, runs(), options(), time_s(), format.colours());
+    canvas.pop_clip();
+    map_->draw_furniture(canvas, format, *frame);
+    return {};
+  }
+
+  /// Lines of charts have the names and colours of those on the map, but for the bands.
+  [[nodiscard]] std::vector<LegendEntry> legend(const Theme& theme, const ChartGrid& charts) const {
+    std::vector<LegendEntry> entries = run_legend(runs(), options(), theme);
+    for (const LegendEntry& entry : charts.legend()) {
+      if (entry.kind == LegendEntry::Kind::kBand) entries.push_back(entry);
+    }
+    return entries;
+  }
+
   std::unique_ptr<MapPanel> map_;
-  FigureInputs inputs_;
   MakeCharts make_;
-  double time_s_ = 1e9;
-  bool is_moment_shown_ = false;
+  std::optional<ChartGrid> charts_;
+  ThemeName theme_ = ThemeName::kLight;
 };
 
 std::vector<CaptionedChart> flight_charts(std::span<const FigureRun> runs, const Theme& theme) {

@@ -2,6 +2,10 @@
 // Figures of a map alone: overhead-pair, route, labels.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "core/map/class_statistics.h"
 #include "core/map/overhead_map_file.h"
 #include "core/sim/route.h"
@@ -58,20 +62,39 @@ class OverheadPair : public Figure {
     PageRect rest = page_inside(format);
     draw_foot(canvas, format, rest, foot_);
     draw_page_legend(canvas, format, rest, legend_);
-    std::vector<PageRect> panels = columns(rest, {1.0, 1.0}, 10.0 * format.px_per_pt());
-    draw_caption(canvas, format, panels[0],
-                 picture_->shows_picture() ? "(a) overhead picture" : "(a) no picture in this map");
-    draw_caption(canvas, format, panels[1], "(b) labels");
+    const std::vector<PageRect> panels = arranged(rest, format);
+    const std::array<const char*, 2> captions = {
+        picture_->shows_picture() ? "(a) overhead picture" : "(a) labels, for want of a picture",
+        "(b) labels"};
     for (std::size_t i = 0; i < 2; ++i) {
-      MapPanel& panel = i == 0 ? *picture_ : *labels_;
-      const auto frame = panel.draw_ground(canvas, context, panels[i]);
+      if (!least_map(format).fits_in(panels[i])) continue;
+      MapPanel& map = i == 0 ? *picture_ : *labels_;
+      PageRect panel = map.part_filled(panels[i], kCaptionPt * format.px_per_pt(), format);
+      draw_caption(canvas, format, panel, captions.at(i));
+      const auto frame = map.draw_ground(canvas, context, panel);
       if (!frame) return forward_error(frame);
-      panel.draw_furniture(canvas, format, *frame);
+      map.draw_furniture(canvas, format, *frame);
     }
     return {};
   }
 
  private:
+  /// Beside or below each other, whichever shows the map larger.
+  [[nodiscard]] std::vector<PageRect> arranged(const PageRect& whole,
+                                               const PageFormat& format) const {
+    const double gap = 10.0 * format.px_per_pt();
+    const Eigen::Vector2d size_m = picture_->map_bounds_in_enu_m().sizes();
+    const auto scale_in = [&size_m](const std::vector<PageRect>& panels) {
+      return std::min(panels[0].width / size_m.x(), panels[0].height / size_m.y());
+    };
+    auto beside = fitting_columns(whole, {1.0, 1.0}, gap, least_map(format));
+    auto below = fitting_rows(whole, {1.0, 1.0}, gap, least_map(format));
+    const bool has_both_beside = beside[1].width > 0.0;
+    const bool has_both_below = below[1].width > 0.0;
+    if (has_both_beside != has_both_below) return has_both_beside ? beside : below;
+    return scale_in(beside) >= scale_in(below) ? beside : below;
+  }
+
   std::unique_ptr<MapPanel> picture_, labels_;
   std::vector<LegendEntry> legend_;
   std::string foot_;
@@ -87,9 +110,9 @@ class RouteFigure : public Figure {
   Result<void> draw(Canvas& canvas, FigureContext& context) override {
     const PageFormat& format = context.format();
     const Theme& theme = format.colours();
-    const double px = format.px_per_pt();
     PageRect rest = page_inside(format);
     draw_foot(canvas, format, rest, foot_);
+    if (!least_map(format).fits_in(rest)) return {};
     const auto frame = map_->draw_ground(canvas, context, rest);
     if (!frame) return forward_error(frame);
     canvas.push_clip(frame->where);
@@ -103,25 +126,45 @@ class RouteFigure : public Figure {
                  std::atan2(way.y(), way.x())},
                 9.0, estimate_look(theme));
     }
-    TextStyle style;
-    style.size_px = 9.0 * px;
-    style.is_bold = true;
-    style.colour = theme.text;
-    for (std::size_t i = 0; i < route_.waypoints_in_enu_m.size(); ++i) {
-      const Eigen::Vector2d& point = route_.waypoints_in_enu_m[i];
-      if (route_.waypoint_names[i].empty()) {  // on the way between two that have a name
-        draw_path_mark(canvas, *frame, PathMark::kStart, point, 0.0, estimate_look(theme));
-      } else {
-        draw_plate(canvas, frame->page(point), route_.waypoint_names[i], style,
-                   with_opacity(theme.page, 0.9), px);
-      }
-    }
+    const std::vector<PageRect> plates = draw_waypoints(canvas, *frame, theme);
     canvas.pop_clip();
-    map_->draw_furniture(canvas, format, *frame);
+    map_->draw_furniture(canvas, format, *frame, plates);
     return {};
   }
 
  private:
+  /// Numbers on plates inside the map; a waypoint whose plate would cover another one is a dot. @returns the plates.
+  [[nodiscard]] std::vector<PageRect> draw_waypoints(Canvas& canvas,
+                                                     const MapFrame& frame,
+                                                     const Theme& theme) const {
+    const double px = frame.px_per_pt;
+    TextStyle style;
+    style.size_px = 9.0 * px;
+    style.is_bold = true;
+    style.colour = theme.text;
+    std::vector<PageRect> plates;
+    for (std::size_t i = 0; i < route_.waypoints_in_enu_m.size(); ++i) {
+      const Eigen::Vector2d& point = route_.waypoints_in_enu_m[i];
+      const std::string& name = route_.waypoint_names[i];
+      const PageRect size = plate_at({0.0, 0.0}, name, style, px);
+      const Eigen::Vector2d half(size.width / 2.0, size.height / 2.0);
+      const Eigen::Vector2d low = Eigen::Vector2d(frame.where.left, frame.where.bottom) + half;
+      const Eigen::Vector2d high = Eigen::Vector2d(frame.where.right(), frame.where.top()) - half;
+      // A waypoint on the way between two that have a name has none.
+      const bool has_room = !name.empty() && (low.array() <= high.array()).all();
+      const Eigen::Vector2d at = frame.page(point).cwiseMax(low).cwiseMin(high);
+      const PageRect plate = plate_at(at, name, style, px);
+      const auto covers = [&plate](const PageRect& other) { return overlap(plate, other); };
+      if (!has_room || std::any_of(plates.begin(), plates.end(), covers)) {
+        draw_path_mark(canvas, frame, PathMark::kStart, point, 0.0, estimate_look(theme));
+        continue;
+      }
+      draw_plate(canvas, at, name, style, with_opacity(theme.page, 0.9), px);
+      plates.push_back(plate);
+    }
+    return plates;
+  }
+
   std::unique_ptr<MapPanel> map_;
   Route route_;
   std::string foot_;
@@ -139,7 +182,8 @@ class LabelsFigure : public Figure {
     PageRect rest = page_inside(format);
     draw_foot(canvas, format, rest, foot_);
     draw_page_legend(canvas, format, rest, legend_);
-    const auto frame = map_->draw_ground(canvas, context, rest);
+    if (!least_map(format).fits_in(rest)) return {};
+    const auto frame = map_->draw_ground(canvas, context, map_->part_filled(rest, 0.0, format));
     if (!frame) return forward_error(frame);
     map_->draw_furniture(canvas, format, *frame);
     return {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -34,27 +35,48 @@ class MapPanel {
   /// What the panel has to show, enu metres; the crop of the options wins over it. Points that are not finite do not count.
   void include(std::span<const Eigen::Vector2d> points_in_enu_m);
   void include_map();
-  /// Forgets what was included before: a map that goes with the vehicle shows only what is around it.
+  /// Forgets what was included before: a map that goes with the vehicle shows only what is around it. The
+  /// whole map where the centre is not finite.
   void show_square(const Eigen::Vector2d& centre_in_enu_m, double side_m);
 
-  /// Draws ground and border into a rectangle, and nothing over them.
+  /// The part of a panel that the whole map fills with its coordinates and with so many pixels above it, in the panel's
+  /// middle; all of it where something else than the whole map is shown.
+  [[nodiscard]] PageRect part_filled(const PageRect& panel,
+                                     double above_px,
+                                     const PageFormat& format) const;
+
+  /// Draws ground and border into a rectangle, and nothing over them; no coordinates where they would leave no room for
+  /// the map. Pixels that are as the last ones are not rendered again, so that a film renders a map that stands still once.
   /// @returns the frame that lines are drawn with; the caller clips them by it.
   /// @errors as OverheadView::update and OffscreenRenderer::render.
   [[nodiscard]] Result<MapFrame> draw_ground(Canvas& canvas,
                                              FigureContext& context,
                                              const PageRect& where);
-  /// Scale bar and north arrow, after everything else.
-  void draw_furniture(Canvas& canvas, const PageFormat& format, const MapFrame& frame) const;
-
-  /// Width of the ground that include() asked for, by its height.
-  [[nodiscard]] double aspect() const;
+  /// Scale bar and north arrow, after everything else; neither over a map that it would hide nor over what is taken.
+  void draw_furniture(Canvas& canvas,
+                      const PageFormat& format,
+                      const MapFrame& frame,
+                      std::span<const PageRect> taken = {}) const;
 
  private:
+  /// All that the ground's pixels depend on.
+  struct GroundState {
+    MapCamera camera;
+    int width = 0, height = 0, supersampling = 0;
+    double px_per_pt = 1.0;
+    Rgba background;
+    bool is_transparent = false;
+    friend bool operator==(const GroundState&, const GroundState&) = default;
+  };
+
   MapPanel(const ProjectPlane& plane,
            const Eigen::AlignedBox2d& bounds,
            const FigureOptions& options);
   [[nodiscard]] bool shows_whole_map() const;
   [[nodiscard]] MapCamera camera_for(const PageRect& where) const;
+  [[nodiscard]] PageRect frame_inside(const PageRect& where, Graticule graticule, double px) const;
+  void keep_on_map(MapFrame& frame) const;
+  [[nodiscard]] Result<void> render(FigureContext& context, const GroundState& wanted);
 
   ProjectPlane plane_;
   Eigen::AlignedBox2d bounds_;
@@ -63,6 +85,9 @@ class MapPanel {
   Eigen::AlignedBox2d shown_;
   MapScene scene_;
   std::vector<std::unique_ptr<OverheadView>> layers_;
+  GroundState drawn_;                ///< What pixels_ show, with ...
+  std::uint64_t content_stamp_ = 0;  ///< ... what then lay in the scene.
+  Raster<Rgba> pixels_;              ///< Empty before the first drawing.
 };
 
 /// Line colours that fit the ground: with a casing over imagery.

@@ -2,96 +2,94 @@
 // One instant of a run: what the filter knew, what the camera saw, and how that fits the map.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/angle.h"
-#include "core/flight/colour_image.h"
-#include "core/flight/flight_recording.h"
-#include "core/mcl/map_patch.h"
+#include "core/map/overhead_map_file.h"
 #include "widgets/figures/chart_panel.h"
-#include "widgets/figures/class_pictures.h"
-#include "widgets/figures/figures.h"
+#include "widgets/figures/moment_panels.h"
 #include "widgets/figures/page_layout.h"
 #include "widgets/figures/run_lines.h"
+#include "widgets/figures/timed_figure.h"
+#include "widgets/views/agreement_view.h"
+#include "widgets/views/mode_marks.h"
 #include "widgets/views/particle_view.h"
+#include "widgets/views/raster_pictures.h"
 #include "widgets/views/raster_view.h"
 
 namespace nadir {
 namespace {
 
-/// The camera's pictures of a run's flight, where they are still there.
-class CameraPictures {
- public:
-  explicit CameraPictures(const std::filesystem::path& flight) {
-    auto opened = open_flight(flight);
-    if (!opened) {
-      why_not_ = opened.error().message;
-    } else {
-      flight_ = std::move(*opened);
-    }
+constexpr double kGapPt = 10.0;
+
+/// "62 %, 31 % and 2 more"
+std::string masses_of(const std::vector<PoseMode>& modes) {
+  constexpr std::size_t kMostNamed = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(modes.size(), kMostNamed); ++i) {
+    text += fmt::format("{}{:.0f} %", i > 0 ? ", " : "", 100.0 * modes[i].mass);
   }
+  if (modes.size() > kMostNamed) text += fmt::format(" and {} more", modes.size() - kMostNamed);
+  return text;
+}
 
-  /// The picture nearest in time. @errors what to say in its place.
-  [[nodiscard]] Result<ColourRaster> at(double time_s) const {
-    if (!flight_) return fail(ErrorCode::kNotFound, "no camera image: {}", why_not_);
-    const FlightFrame* nearest = nullptr;
-    for (const FlightFrame& frame : flight_->description().frames) {
-      if (!frame.image) continue;
-      if (nearest == nullptr ||
-          std::abs(frame.time_s - time_s) < std::abs(nearest->time_s - time_s)) {
-        nearest = &frame;
-      }
-    }
-    if (nearest == nullptr) return fail(ErrorCode::kNotFound, "the flight holds no camera images");
-    return read_colour_image(*nearest->image);
-  }
-
- private:
-  std::unique_ptr<FlightRecording> flight_;
-  std::string why_not_;
-};
-
-class Moment : public Figure {
+class Moment : public TimedFigure {
  public:
   Moment(std::unique_ptr<MapPanel> map, OverheadMap labels, FigureInputs inputs)
-      : map_(std::move(map)),
+      : TimedFigure(std::move(inputs)),
+        map_(std::move(map)),
         labels_(std::move(labels)),
-        inputs_(std::move(inputs)),
-        camera_(run().reader.header().flight_path),
+        camera_(run().reader->header().flight_path),
         particles_(map_->scene()),
-        topview_(map_->scene(), MapLayer::kTopview) {
-    show_at(inputs_.options.time_s);
-  }
+        topview_(map_->scene(), MapLayer::kTopview) {}
 
   Result<void> draw(Canvas& canvas, FigureContext& context) override {
-    const auto step = run().reader.step(run().steps[index_].step);
-    if (!step) return forward_error(step);
+    if (auto read = read_shown_step(); !read) return read;
+    const RunStep& step = *step_;
     const PageFormat& format = context.format();
-    const Theme& theme = format.colours();
     const double px = format.px_per_pt();
-    lay_on_map(*step);
+    if (theme_ != format.theme) bars_.reset();
+    theme_ = format.theme;
+    const auto bars =
+        agreement_ ? agreement_bars(*agreement_, format.colours()) : std::optional<ChartSpec>();
     PageRect rest = page_inside(format);
-    draw_foot(canvas, format, rest, words(*step));
-    draw_page_legend(canvas, format, rest, legend(theme, *step));
-    const PageRect bottom = take_bottom(rest, 0.24 * rest.height, 8.0 * px);
-    auto sides = columns(rest, {1.35, 1.0}, 12.0 * px);
-    draw_caption(canvas, format, sides[0], "(a) particles, estimate and topview over the overhead");
-    const auto frame = map_->draw_ground(canvas, context, sides[0]);
-    if (!frame) return forward_error(frame);
-    draw_lines(canvas, *frame, *step, theme);
-    map_->draw_furniture(canvas, format, *frame);
-    auto right = rows(sides[1], {1.3, 1.0}, 8.0 * px);
-    draw_camera(canvas, format, right[0], *step);
-    draw_patches(canvas, format, right[1], *step);
-    draw_agreement(canvas, format, bottom, *step);
+    draw_foot(canvas, format, rest, words(step));
+    draw_page_legend(canvas, format, rest, legend(format.colours(), step, bars.has_value()));
+    constexpr double kBesidePt = 320.0;
+    const bool is_wide = rest.width >= kBesidePt * px;
+    constexpr double kBarsPt = 80.0;  // with the names of classes below
+    PageRect bottom =
+        take_bottom(rest, std::min(0.35 * rest.height, std::max(0.22 * rest.height, kBarsPt * px)),
+                    kGapPt * px);
+    if (is_wide) {
+      auto sides = columns(rest, {1.25, 1.0}, 12.0 * px);
+      if (auto drawn = draw_map(canvas, context, sides[0], step); !drawn) return drawn;
+      draw_seen(canvas, format, sides[1], step);
+    } else {
+      auto parts = fitting_rows(rest, {1.0, 1.0}, kGapPt * px, least_map(format));
+      if (auto drawn = draw_map(canvas, context, parts[0], step); !drawn) return drawn;
+      draw_seen(canvas, format, parts[1], step);
+    }
+    draw_bars(canvas, format, bottom, bars);
     return {};
   }
 
-  [[nodiscard]] std::optional<FigureTimes> times() const override { return times_of(inputs_.runs); }
-  void show_at(double time_s) override { index_ = run().index_at(time_s); }
-
  private:
-  [[nodiscard]] const FigureRun& run() const { return inputs_.runs.front(); }
+  /// Reads the step that is shown and lays it on the map, once for all frames of a film that show it.
+  Result<void> read_shown_step() {
+    if (step_ && shown_index_ == index()) return {};
+    auto step = read_step();
+    if (!step) return forward_error(step);
+    step_ = std::move(*step);
+    shown_index_ = index();
+    agreement_ = moment_agreement(*step_, labels_);
+    classes_ = patch_legend(*step_, labels_);
+    bars_.reset();
+    lay_on_map(*step_);
+    return {};
+  }
 
   void lay_on_map(const RunStep& step) {
     // Room for the topview, the truth and three deviations around the estimate.
@@ -104,21 +102,56 @@ class Moment : public Figure {
     }
     const Eigen::Vector2d size_m = map_->map_bounds_in_enu_m().sizes();
     map_->show_square(centre, std::min(std::max(kLeastSideM, 2.5 * reach_m), size_m.maxCoeff()));
-    const bool has_particles = inputs_.options.shows_particles && step.particles.has_value();
+    const bool has_particles = shows_particles(step);
     particles_.set_visible(has_particles);
     if (has_particles) particles_.show(*step.particles);
-    const bool has_topview =
-        inputs_.options.shows_topview && step.topview && !step.topview->cells.empty();
+    const bool has_topview = shows_topview(step);
     topview_.set_visible(has_topview);
     if (!has_topview) return;
     const TopviewRaster raster = topview_raster(*step.topview);
     const double cell_m = step.topview->metres_per_cell;
-    // The picture's upper left corner is its farthest left one; its rows run to the right of the heading.
-    const Rigid2 body_from_corner{cell_m * raster.body_row, cell_m * raster.body_column,
-                                  -std::numbers::pi / 2.0};
-    topview_.show(class_picture(raster.labels), step.estimate.moments.mean * body_from_corner,
+    topview_.show(class_picture(raster.labels),
+                  enu_from_topview_corner(step.estimate.moments.mean, raster, cell_m),
                   Eigen::Vector2d::Constant(cell_m), false);
     topview_.set_opacity(0.8);
+  }
+
+  [[nodiscard]] bool shows_particles(const RunStep& step) const {
+    return options().layers.has(FigureLayer::kParticles) && step.particles.has_value();
+  }
+  [[nodiscard]] bool shows_topview(const RunStep& step) const {
+    return options().layers.has(FigureLayer::kTopview) && step.topview &&
+           !step.topview->cells.empty() && is_finite(step.estimate.moments.mean);
+  }
+  /// With the layer of modes all of them, else only the heaviest.
+  [[nodiscard]] std::span<const PoseMode> shown_modes(const RunStep& step) const {
+    const std::span<const PoseMode> modes = step.estimate.modes;
+    return options().layers.has(FigureLayer::kModes)
+               ? modes
+               : modes.first(std::min<std::size_t>(modes.size(), 1));
+  }
+
+  Result<void> draw_map(Canvas& canvas,
+                        FigureContext& context,
+                        PageRect panel,
+                        const RunStep& step) {
+    const PageFormat& format = context.format();
+    if (!least_map(format).fits_in(panel)) return {};
+    draw_caption(canvas, format, panel, "(a) over the overhead");
+    const auto frame = map_->draw_ground(canvas, context, panel);
+    if (!frame) return forward_error(frame);
+    canvas.push_clip(frame->where);
+    draw_lines(canvas, *frame, step, format.colours());
+    canvas.pop_clip();
+    std::vector<PageRect> plates;
+    if (shown_modes(step).size() > 1) {
+      for (const auto& plate :
+           mode_plates(*frame, shown_modes(step), mode_look(format.colours()))) {
+        if (plate) plates.push_back(*plate);
+      }
+    }
+    map_->draw_furniture(canvas, format, *frame, plates);
+    return {};
   }
 
   void draw_lines(Canvas& canvas,
@@ -126,133 +159,93 @@ class Moment : public Figure {
                   const RunStep& step,
                   const Theme& theme) const {
     constexpr std::array<double, 3> kSigmas = {3.0, 2.0, 1.0};
-    canvas.push_clip(frame.where);
-    for (const Source source : {Source::kOdometry, Source::kTruth, Source::kEstimate}) {
-      const PathLook look = source == Source::kTruth      ? truth_look(theme)
-                            : source == Source::kOdometry ? odometry_look(theme)
-                                                          : estimate_look(theme);
+    constexpr std::array<Source, 3> kSources = {Source::kOdometry, Source::kTruth,
+                                                Source::kEstimate};
+    for (const Source source : kSources) {
+      if (!options().layers.has(layer_of(source))) continue;
       std::vector<Eigen::Vector2d> path = path_of(run(), source);
-      path.resize(index_ + 1);
-      draw_path(canvas, frame, path, look);
+      path.resize(index() + 1);
+      draw_path(canvas, frame, path, look_of(source, theme));
+    }
+    if (options().layers.has(FigureLayer::kEllipses)) {
+      PathLook thin = estimate_look(theme);
+      thin.width_pt = 0.9;
+      for (const PoseMode& mode : shown_modes(step)) {
+        draw_ellipses(canvas, frame, mode.moments.mean.translation_m(),
+                      mode.moments.covariance.topLeftCorner<2, 2>(), kSigmas, thin);
+      }
+    }
+    for (const Source source : kSources) {
       const auto pose = pose_of(step, source);
-      if (pose) draw_pose(canvas, frame, *pose, 10.0, look);
+      if (!pose || !options().layers.has(layer_of(source))) continue;
+      draw_pose(canvas, frame, *pose, 10.0, look_of(source, theme));
     }
-    PathLook thin = estimate_look(theme);
-    thin.width_pt = 0.9;
-    for (const PoseMode& mode : step.estimate.modes) {
-      draw_ellipses(canvas, frame, mode.moments.mean.translation_m(),
-                    mode.moments.covariance.topLeftCorner<2, 2>(), kSigmas, thin);
+    if (shown_modes(step).size() > 1) {
+      draw_modes(canvas, frame, shown_modes(step), mode_look(theme));
     }
-    if (step.estimate.modes.size() > 1) {
-      TextStyle style;
-      style.size_px = 7.5 * frame.px_per_pt;
-      style.colour = theme.text;
-      for (const PoseMode& mode : step.estimate.modes) {
-        const Eigen::Vector2d at = frame.page(mode.moments.mean.translation_m()) +
-                                   Eigen::Vector2d(0.0, 14.0 * frame.px_per_pt);
-        draw_plate(canvas, at, fmt::format("{:.0f} %", 100.0 * mode.mass), style,
-                   with_opacity(theme.page, 0.85), frame.px_per_pt);
-      }
-    }
-    canvas.pop_clip();
   }
 
-  void draw_camera(Canvas& canvas,
-                   const PageFormat& format,
-                   PageRect panel,
-                   const RunStep& step) const {
-    draw_caption(canvas, format, panel, "(b) camera");
+  [[nodiscard]] static ModeLook mode_look(const Theme& theme) {
+    ModeLook look;
+    look.arrow = estimate_look(theme);
+    look.plate = with_opacity(theme.page, 0.85);
+    look.words.colour = theme.text;
+    return look;
+  }
+
+  /// The camera's picture above the topview and what the map has in its place.
+  void draw_seen(Canvas& canvas,
+                 const PageFormat& format,
+                 const PageRect& panel,
+                 const RunStep& step) {
+    if (!least_picture(format).fits_in(panel)) return;
+    auto parts = fitting_rows(panel, {1.2, 1.0}, 8.0 * format.px_per_pt(), least_picture(format));
+    draw_caption(canvas, format, parts[0], "(b) camera");
     const auto picture = camera_.at(step.time_s);
-    if (!picture) {
-      draw_message(canvas, format, panel, picture.error().message);
-      return;
+    if (picture) {
+      canvas.image(fitted((*picture)->width(), (*picture)->height(), parts[0]), **picture);
+    } else {
+      draw_message(canvas, format, parts[0], picture.error().message);
     }
-    canvas.image(fitted(picture->width(), picture->height(), panel), colour_picture(*picture));
+    draw_patches(canvas, format, parts[1], step, labels_, agreement_);
   }
 
-  /// The topview as seen, and the map's patch at the estimate and at the truth, forward up.
-  void draw_patches(Canvas& canvas,
-                    const PageFormat& format,
-                    PageRect panel,
-                    const RunStep& step) const {
-    const std::array<std::string, 3> captions = {"(c) topview", "(d) map, estimate",
-                                                 "(e) map, truth"};
-    auto parts = columns(panel, {1.0, 1.0, 1.0}, 6.0 * format.px_per_pt());
-    for (std::size_t i = 0; i < 3; ++i) draw_caption(canvas, format, parts[i], captions.at(i));
-    if (!step.topview || step.topview->cells.empty()) {
-      draw_message(canvas, format, parts[0],
-                   step.topview ? "the topview has no cells" : "the run holds no topviews");
-      return;
-    }
-    const TopviewRaster seen = topview_raster(*step.topview);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto pose =
-          i == 0 ? std::nullopt : pose_of(step, i == 1 ? Source::kEstimate : Source::kTruth);
-      if (i > 0 && !pose) {
-        draw_message(canvas, format, parts[i], "not known");
-        continue;
-      }
-      const Raster<ClassId> labels = i == 0 ? seen.labels : map_patch(labels_, *pose, seen);
-      const PageRect where = fitted(labels.width(), labels.height(), parts[i]);
-      canvas.image(where, class_picture(labels));
-      draw_frame(canvas, format, where);
-    }
-  }
-
-  void draw_agreement(Canvas& canvas,
-                      const PageFormat& format,
-                      PageRect panel,
-                      const RunStep& step) const {
-    draw_caption(canvas, format, panel, "(f) cells that agree with the map, by class seen");
-    const auto chart = agreement_bars(step, format.colours());
-    if (!chart) {
+  void draw_bars(Canvas& canvas,
+                 const PageFormat& format,
+                 PageRect panel,
+                 const std::optional<ChartSpec>& bars) {
+    if (!least_chart(format).fits_in(panel)) return;
+    const std::string caption = "(g) cells that agree with the map, by class seen";
+    if (!bars) {
+      draw_caption(canvas, format, panel, caption);
       draw_message(canvas, format, panel,
                    "no cell of the topview lies on ground that the map knows");
       return;
     }
-    XyChart(*chart, format.colours(), format.px_per_pt())
-        .draw(canvas, panel, format.width, format.height);
+    if (!bars_) bars_.emplace(std::vector<CaptionedChart>{{caption, *bars}}, 1);
+    bars_->draw(canvas, format, panel);
   }
 
-  [[nodiscard]] std::optional<ChartSpec> agreement_bars(const RunStep& step,
-                                                        const Theme& theme) const {
-    if (!step.topview) return std::nullopt;
-    BarsSpec bars;
-    const CellAgreement at_estimate =
-        cell_agreement(*step.topview, labels_, step.estimate.moments.mean);
-    std::optional<CellAgreement> at_truth;
-    if (step.truth_in_enu) at_truth = cell_agreement(*step.topview, labels_, *step.truth_in_enu);
-    bars.series.push_back({"at estimate", {}, theme.estimate});
-    if (at_truth) bars.series.push_back({"at truth", {}, theme.muted});
-    const auto percent = [](const CellAgreement& agreement, ClassId id) {
-      const auto share = agreement.of_class[id].share();
-      return share ? 100.0 * *share : std::nan("");
-    };
-    for (ClassId id = 0; id < kClassCount; ++id) {
-      const CellAgreement::Count& count = at_estimate.of_class[id];
-      if (count.agreeing + count.disagreeing == 0) continue;
-      bars.groups.emplace_back(class_info(id).name);
-      bars.series[0].heights.push_back(percent(at_estimate, id));
-      if (at_truth) bars.series[1].heights.push_back(percent(*at_truth, id));
+  [[nodiscard]] std::vector<LegendEntry> legend(const Theme& theme,
+                                                const RunStep& step,
+                                                bool has_bars) const {
+    std::vector<LegendEntry> entries = source_legend(run(), options(), theme);
+    if (options().layers.has(FigureLayer::kEllipses) && !step.estimate.modes.empty()) {
+      entries.push_back(ellipse_legend("ellipses: 1, 2 and 3 sigma of the particles", 1, theme));
     }
-    if (bars.groups.empty()) return std::nullopt;
-    ChartSpec spec;
-    spec.y = {"agreeing [%]", 0.0, 100.0};
-    spec.bars = std::move(bars);
-    return spec;
-  }
-
-  [[nodiscard]] std::vector<LegendEntry> legend(const Theme& theme, const RunStep& step) const {
-    std::vector<LegendEntry> entries = run_legend(inputs_.runs, theme);
-    entries.back().name = "estimate with 1, 2 and 3 sigma ellipses";
-    if (step.particles && inputs_.options.shows_particles) {
-      entries.push_back({"particles, light is heavy", value_colour(ValueColours::kViridis, 0.6),
-                         LegendEntry::Kind::kDot});
+    if (shows_particles(step)) entries.push_back(particle_legend());
+    entries.insert(entries.end(), classes_.begin(), classes_.end());
+    if (agreement_) {
+      for (const LegendEntry& entry : agreement_legend(agreement_->at_estimate, theme)) {
+        entries.push_back(entry);
+      }
     }
-    if (step.topview) {
-      entries.push_back({"agreement at estimate", theme.estimate, LegendEntry::Kind::kBar});
+    if (has_bars) {
+      entries.push_back({"share at estimate", theme.estimate, LegendEntry::Kind::kBar});
+      if (agreement_->at_truth) {
+        entries.push_back({"at truth", theme.muted, LegendEntry::Kind::kBar});
+      }
     }
-    if (step.truth_in_enu) entries.push_back({"at truth", theme.muted, LegendEntry::Kind::kBar});
     return entries;
   }
 
@@ -264,21 +257,30 @@ class Moment : public Figure {
           (moments.mean.translation_m() - step.truth_in_enu->translation_m()).norm();
       text += fmt::format(", {:.2f} m from the truth", error_m);
     }
-    text +=
-        fmt::format(", sigma {:.2f} m and {:.1f} deg, {} modes, effective sample size {:.0f} of {}",
-                    std::sqrt(moments.covariance(0, 0) + moments.covariance(1, 1)),
-                    Angle::radians(std::sqrt(moments.covariance(2, 2))).degrees(),
-                    step.estimate.modes.size(), step.effective_sample_size, step.particle_count);
+    text += fmt::format(" · spread of the particles {:.2f} m and {:.1f} deg (standard deviations)",
+                        std::sqrt(moments.covariance(0, 0) + moments.covariance(1, 1)),
+                        Angle::radians(std::sqrt(moments.covariance(2, 2))).degrees());
+    const std::vector<PoseMode>& modes = step.estimate.modes;
+    if (modes.size() == 1) text += " · 1 mode";
+    if (modes.size() > 1) {
+      text += fmt::format(" · {} modes with {} of the mass", modes.size(), masses_of(modes));
+    }
+    text += fmt::format(" · effective sample size {:.0f} of {} particles",
+                        step.effective_sample_size, step.particle_count);
     return text + " · " + foot_of(run());
   }
 
   std::unique_ptr<MapPanel> map_;  ///< Before the views, which lie in its scene.
   OverheadMap labels_;
-  FigureInputs inputs_;
   CameraPictures camera_;
   ParticleView particles_;
   RasterView topview_;
-  std::size_t index_ = 0;
+  std::optional<RunStep> step_;  ///< The one of shown_index_, as it lies on the map.
+  std::size_t shown_index_ = 0;
+  std::optional<MomentAgreement> agreement_;
+  std::vector<LegendEntry> classes_;
+  std::optional<ChartGrid> bars_;  ///< Of the step and this theme.
+  ThemeName theme_ = ThemeName::kLight;
 };
 
 }  // namespace

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/figures/page.h"
 
+#include <algorithm>
+
 #include "widgets/canvas/cairo_canvas.h"
 #include "widgets/canvas/png_file.h"
 #include "widgets/canvas/svg_canvas.h"
+#include "widgets/gl/vtk_messages.h"
 
 namespace nadir {
 namespace {
@@ -19,11 +22,20 @@ void fill_background(Canvas& canvas, const PageFormat& format) {
 }
 
 Result<void> draw_page(Figure& figure, FigureContext& context, Canvas& canvas) {
+  send_vtk_messages_to_log();  // charts need no OpenGL, and may complain too
   fill_background(canvas, context.format());
   return figure.draw(canvas, context);
 }
 
 }  // namespace
+
+void FigureContext::set_format(const PageFormat& format) {
+  constexpr int kFine = 2;
+  const bool has_room =
+      kFine * std::max(format.width, format.height) <= OffscreenRenderer::kMostSide;
+  format_ = format;
+  supersampling = has_room ? kFine : 1;
+}
 
 Result<OffscreenRenderer*> FigureContext::renderer() {
   if (!renderer_) {

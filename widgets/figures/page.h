@@ -23,14 +23,16 @@ struct PageFormat {
   [[nodiscard]] const Theme& colours() const { return nadir::theme(theme); }
 };
 
-/// What a figure draws with: one page after another for a film.
+/// What figures draw with: one page after another of a film or of a report.
 class FigureContext {
  public:
-  explicit FigureContext(PageFormat format) : format_(format) {}
+  explicit FigureContext(const PageFormat& format) { set_format(format); }
   [[nodiscard]] const PageFormat& format() const { return format_; }
+  /// The next pages are of this format; sets `supersampling` to what suits a still picture.
+  void set_format(const PageFormat& format);
   /// Made when it is first asked for, because a chart needs none. @errors kUnsupported: no OpenGL on this machine.
   [[nodiscard]] Result<OffscreenRenderer*> renderer();
-  /// 2 for a still picture, 1 for the frames of a film.
+  /// 2 for a still picture, 1 for the frames of a film and where the page is too large for more.
   int supersampling = 2;
 
  private:

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/figures/page_layout.h"
 
+#include <algorithm>
 #include <numeric>
 #include <sstream>
+#include <utility>
 
 #include "core/base/require.h"
 
@@ -10,15 +12,6 @@ namespace nadir {
 namespace {
 
 constexpr double kMarginPt = 8.0;
-constexpr double kFootTextPt = 7.5;
-constexpr double kCaptionTextPt = 9.0;
-
-TextStyle style_of(const PageFormat& format, double size_pt, Rgba colour) {
-  TextStyle style;
-  style.size_px = size_pt * format.px_per_pt();
-  style.colour = colour;
-  return style;
-}
 
 std::vector<std::pair<double, double>> cut(double length,
                                            const std::vector<double>& shares,
@@ -36,23 +29,46 @@ std::vector<std::pair<double, double>> cut(double length,
   return pieces;
 }
 
+/// Cuts by `divide` into ever fewer pieces until all have room; the others are empty.
+template <typename Divide>
+std::vector<PageRect> fitting(const PageRect& whole,
+                              std::vector<double> shares,
+                              const LeastRoom& least,
+                              Divide&& divide) {
+  const std::size_t wanted = shares.size();
+  for (; !shares.empty(); shares.pop_back()) {
+    std::vector<PageRect> made = divide(shares);
+    if (std::all_of(made.begin(), made.end(),
+                    [&least](const PageRect& panel) { return least.fits_in(panel); })) {
+      made.resize(wanted, {whole.left, whole.bottom, 0.0, 0.0});
+      return made;
+    }
+  }
+  return std::vector<PageRect>(wanted, {whole.left, whole.bottom, 0.0, 0.0});
+}
+
 }  // namespace
 
 PageRect page_inside(const PageFormat& format) {
-  const double margin = kMarginPt * format.px_per_pt();
+  constexpr double kMostShare = 0.1;  // of the shorter side
+  const double margin =
+      std::min(kMarginPt * format.px_per_pt(), kMostShare * std::min(format.width, format.height));
   return {margin, margin, format.width - 2.0 * margin, format.height - 2.0 * margin};
 }
 
 PageRect take_top(PageRect& rest, double height, double gap) {
-  const PageRect strip{rest.left, rest.top() - height, rest.width, height};
-  rest.height = std::max(0.0, rest.height - height - gap);
+  const double taken = std::clamp(height, 0.0, rest.height);
+  const PageRect strip{rest.left, rest.top() - taken, rest.width, taken};
+  rest.height = std::max(0.0, rest.height - taken - gap);
   return strip;
 }
 
 PageRect take_bottom(PageRect& rest, double height, double gap) {
-  const PageRect strip{rest.left, rest.bottom, rest.width, height};
-  rest.height = std::max(0.0, rest.height - height - gap);
-  rest.bottom += height + gap;
+  const double taken = std::clamp(height, 0.0, rest.height);
+  const PageRect strip{rest.left, rest.bottom, rest.width, taken};
+  const double shift = std::min(rest.height, taken + gap);
+  rest.height -= shift;
+  rest.bottom += shift;
   return strip;
 }
 
@@ -74,14 +90,59 @@ std::vector<PageRect> rows(const PageRect& whole, const std::vector<double>& sha
   return made;
 }
 
+bool overlap(const PageRect& a, const PageRect& b) {
+  return a.left < b.right() && b.left < a.right() && a.bottom < b.top() && b.bottom < a.top();
+}
+
+PageRect fitted(double width, double height, const PageRect& inside) {
+  const double scale = std::min(inside.width / width, inside.height / height);
+  const double w = width * scale;
+  const double h = height * scale;
+  return {inside.left + (inside.width - w) / 2.0, inside.bottom + (inside.height - h) / 2.0, w, h};
+}
+
+LeastRoom least_map(const PageFormat& format) {
+  return {40.0 * format.px_per_pt(), 36.0 * format.px_per_pt()};
+}
+
+LeastRoom least_chart(const PageFormat& format) {
+  return {60.0 * format.px_per_pt(), 30.0 * format.px_per_pt()};
+}
+
+LeastRoom least_picture(const PageFormat& format) {
+  return {24.0 * format.px_per_pt(), 24.0 * format.px_per_pt()};
+}
+
+std::vector<PageRect> fitting_columns(const PageRect& whole,
+                                      const std::vector<double>& shares,
+                                      double gap,
+                                      const LeastRoom& least) {
+  return fitting(whole, shares, least,
+                 [&](const std::vector<double>& kept) { return columns(whole, kept, gap); });
+}
+
+std::vector<PageRect> fitting_rows(const PageRect& whole,
+                                   const std::vector<double>& shares,
+                                   double gap,
+                                   const LeastRoom& least) {
+  return fitting(whole, shares, least,
+                 [&](const std::vector<double>& kept) { return rows(whole, kept, gap); });
+}
+
 std::vector<std::string> broken_to(const std::string& text,
                                    const TextStyle& style,
                                    double width_px) {
   std::vector<std::string> lines;
+  std::string between;  // what parts the next word from the line before
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    if (!lines.empty() && measure_text(lines.back() + " " + word, style).width <= width_px) {
-      lines.back() += " " + word;
+    if (word == "·" || word == "|") {
+      between = " " + word;
+      continue;
+    }
+    const std::string more = std::exchange(between, "") + " " + word;
+    if (!lines.empty() && measure_text(lines.back() + more, style).width <= width_px) {
+      lines.back() += more;
     } else {
       lines.push_back(word);
     }
@@ -89,65 +150,22 @@ std::vector<std::string> broken_to(const std::string& text,
   return lines;
 }
 
-void draw_foot(Canvas& canvas, const PageFormat& format, PageRect& rest, const std::string& text) {
-  const double px = format.px_per_pt();
-  const TextStyle style = style_of(format, kFootTextPt, format.colours().muted);
-  const std::vector<std::string> lines = broken_to(text, style, rest.width);
-  const double line_height = 1.35 * style.size_px;
-  const PageRect strip =
-      take_bottom(rest, line_height * static_cast<double>(lines.size()), 5.0 * px);
-  double baseline = strip.top() - style.size_px;
-  for (const std::string& line : lines) {
-    canvas.text({strip.left, baseline}, line, style);
-    baseline -= line_height;
+std::string shortened_to(const std::string& text, const TextStyle& style, double width_px) {
+  if (measure_text(text, style).width <= width_px) return text;
+  std::string kept = text;
+  const auto ends_inside_a_letter = [&kept, &text] {
+    return (static_cast<unsigned char>(text[kept.size()]) & 0xC0U) == 0x80U;  // UTF-8
+  };
+  while (!kept.empty()) {
+    do {
+      kept.pop_back();
+    } while (!kept.empty() && ends_inside_a_letter());
+    std::string trimmed = kept;
+    while (!trimmed.empty() && trimmed.back() == ' ') trimmed.pop_back();
+    trimmed += "…";
+    if (measure_text(trimmed, style).width <= width_px) return trimmed;
   }
-}
-
-void draw_caption(Canvas& canvas,
-                  const PageFormat& format,
-                  PageRect& panel,
-                  const std::string& text) {
-  const double px = format.px_per_pt();
-  TextStyle style = style_of(format, kCaptionTextPt, format.colours().text);
-  const PageRect strip = take_top(panel, 12.0 * px, 2.0 * px);
-  // Smaller where it would reach into the next panel.
-  const double width = measure_text(text, style).width;
-  if (width > strip.width) style.size_px *= strip.width / width;
-  canvas.text({strip.left, strip.bottom + 3.0 * px}, text, style);
-}
-
-void draw_page_legend(Canvas& canvas,
-                      const PageFormat& format,
-                      PageRect& rest,
-                      std::span<const LegendEntry> entries) {
-  const double px = format.px_per_pt();
-  const double height = legend_height(rest.width, entries, px);
-  const PageRect strip = take_top(rest, height, height > 0.0 ? 4.0 * px : 0.0);
-  draw_legend(canvas, strip, entries, format.colours(), px);
-}
-
-void draw_frame(Canvas& canvas, const PageFormat& format, const PageRect& panel) {
-  const std::array<Eigen::Vector2d, 5> outline = {
-      Eigen::Vector2d(panel.left, panel.bottom), Eigen::Vector2d(panel.right(), panel.bottom),
-      Eigen::Vector2d(panel.right(), panel.top()), Eigen::Vector2d(panel.left, panel.top()),
-      Eigen::Vector2d(panel.left, panel.bottom)};
-  canvas.stroke(outline, {format.colours().line, 0.75 * format.px_per_pt()});
-}
-
-void draw_message(Canvas& canvas,
-                  const PageFormat& format,
-                  const PageRect& panel,
-                  const std::string& text) {
-  TextStyle style = style_of(format, 9.0, format.colours().muted);
-  style.align = TextAlign::kCentre;
-  const std::vector<std::string> lines = broken_to(text, style, 0.9 * panel.width);
-  const double line_height = 1.35 * style.size_px;
-  double baseline =
-      panel.centre().y() + line_height * (static_cast<double>(lines.size()) / 2.0 - 1.0);
-  for (const std::string& line : lines) {
-    canvas.text({panel.centre().x(), baseline}, line, style);
-    baseline -= line_height;
-  }
+  return {};
 }
 
 }  // namespace nadir

@@ -1,16 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every topview at its pose over the overhead, once by the odometry and once by the estimate (thesis 4-12, 4-13).
+// Every topview at its pose over the overhead: by the odometry, by the estimate, by the truth (thesis 4-12, 4-13).
 #include <fmt/format.h>
 
+#include <array>
+#include <bitset>
+#include <cmath>
+#include <optional>
+
+#include "core/map/class_statistics.h"
+#include "core/map/overhead_map_file.h"
+#include "core/mcl/cell_agreement.h"
 #include "core/topview/semantic_reconstruction.h"
-#include "widgets/figures/class_pictures.h"
-#include "widgets/figures/figures.h"
+#include "widgets/figures/chart_panel.h"
 #include "widgets/figures/page_layout.h"
 #include "widgets/figures/run_lines.h"
+#include "widgets/figures/timed_figure.h"
+#include "widgets/views/raster_pictures.h"
 #include "widgets/views/raster_view.h"
 
 namespace nadir {
 namespace {
+
+using ClassCounts = std::array<CellAgreement::Count, kClassCount>;
 
 /// One side of the figure: a map with what has been seen so far laid on it.
 class Side {
@@ -23,15 +34,29 @@ class Side {
     view_.set_visible(false);
   }
 
-  void clear() { seen_ = SemanticReconstruction(seen_.metres_per_cell()); }
+  void clear() {
+    seen_ = SemanticReconstruction(seen_.metres_per_cell());
+    counts_ = {};
+    is_changed_ = true;
+  }
 
-  void add(const RunStep& step) {
+  void add(const RunStep& step, const OverheadMap& labels) {
     const auto pose = pose_of(step, source_);
-    if (pose && step.topview) seen_.add(*step.topview, *pose);
+    if (!pose || !step.topview) return;
+    seen_.add(*step.topview, *pose);
+    const CellAgreement agreement = cell_agreement(*step.topview, labels, *pose);
+    for (ClassId id = 0; id < kClassCount; ++id) {
+      counts_.at(id).agreeing += agreement.of_class.at(id).agreeing;
+      counts_.at(id).disagreeing += agreement.of_class.at(id).disagreeing;
+      counts_.at(id).unknown += agreement.of_class.at(id).unknown;
+    }
+    is_changed_ = true;
   }
 
   /// Uploads what has been added. @errors as SemanticReconstruction::labels.
   Result<void> refresh() {
+    if (!is_changed_) return {};
+    is_changed_ = false;
     view_.set_visible(!seen_.empty());
     if (seen_.empty()) return {};
     const auto labels = seen_.labels();
@@ -44,64 +69,121 @@ class Side {
 
   [[nodiscard]] MapPanel& map() { return *map_; }
   [[nodiscard]] Source source() const { return source_; }
+  /// Of all cells of all topviews so far.
+  [[nodiscard]] const ClassCounts& counts() const { return counts_; }
 
  private:
   std::unique_ptr<MapPanel> map_;  ///< Before the view, which lies in its scene.
   Source source_;
   SemanticReconstruction seen_;
   RasterView view_;
+  ClassCounts counts_{};
+  bool is_changed_ = false;
 };
 
-class Reconstruction : public Figure {
+const char* name_of(Source source) {
+  constexpr std::array<const char*, 3> kNames = {"truth", "odometry", "estimate"};
+  return kNames.at(static_cast<std::size_t>(source));
+}
+
+class Reconstruction : public TimedFigure {
  public:
-  Reconstruction(std::unique_ptr<Side> odometry,
-                 std::unique_ptr<Side> estimate,
-                 FigureInputs inputs)
-      : sides_{std::move(odometry), std::move(estimate)}, inputs_(std::move(inputs)) {
+  Reconstruction(std::vector<std::unique_ptr<Side>> sides, OverheadMap labels, FigureInputs inputs)
+      : TimedFigure(std::move(inputs)),
+        sides_(std::move(sides)),
+        labels_(std::move(labels)),
+        held_(class_statistics(labels_.labels)) {
     for (const auto& side : sides_) include_run(side->map(), run());
   }
 
   Result<void> draw(Canvas& canvas, FigureContext& context) override {
-    if (auto added = add_up_to(run().index_at(time_s_)); !added) return added;
+    if (auto added = add_up_to(index()); !added) return added;
     const PageFormat& format = context.format();
-    const Theme& theme = format.colours();
     PageRect rest = page_inside(format);
     draw_foot(canvas, format, rest,
-              fmt::format("{} topviews, the class with most votes per cell · {}", shown_,
-                          foot_of(run())));
-    std::vector<LegendEntry> legend = run_legend(inputs_.runs, theme);
-    legend.back().name = "estimate";
-    draw_page_legend(canvas, format, rest, legend);
-    auto panels = columns(rest, {1.0, 1.0}, 10.0 * format.px_per_pt());
-    draw_caption(canvas, format, panels[0], "(a) topviews at the odometry's poses");
-    draw_caption(canvas, format, panels[1], "(b) topviews at the estimated poses");
-    for (std::size_t i = 0; i < 2; ++i) {
-      const auto frame = sides_.at(i)->map().draw_ground(canvas, context, panels[i]);
-      if (!frame) return forward_error(frame);
-      draw_lines(canvas, *frame, sides_.at(i)->source(), theme);
-      sides_.at(i)->map().draw_furniture(canvas, format, *frame);
+              fmt::format("{} topview{}, the class with most votes per cell · {}", topviews_,
+                          topviews_ == 1 ? "" : "s", foot_of(run())));
+    draw_page_legend(canvas, format, rest, legend(format.colours()));
+    const std::vector<PageRect> panels = arranged(rest, format);
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      if (auto drawn = draw_side(canvas, context, panels[i], i); !drawn) return drawn;
+    }
+    PageRect last = panels.back();
+    if (!least_chart(format).fits_in(last)) return {};
+    const std::vector<CaptionedChart> charts = {
+        {fmt::format("({}) cells that disagree with the map", letter(sides_.size())),
+         disagreement(format.colours())}};
+    if (charts.front().chart.bars->groups.empty()) {
+      draw_caption(canvas, format, last, charts.front().caption);
+      draw_message(canvas, format, last, "no cell seen lies on ground that the map knows");
+    } else {
+      draw_charts(canvas, format, last, charts, 1);
     }
     return {};
   }
 
-  [[nodiscard]] std::optional<FigureTimes> times() const override { return times_of(inputs_.runs); }
-  void show_at(double time_s) override { time_s_ = time_s; }
-
  private:
-  [[nodiscard]] const FigureRun& run() const { return inputs_.runs.front(); }
+  static char letter(std::size_t panel) { return static_cast<char>('a' + panel); }
+
+  /// Two panels in each row, or one where the page is narrow; the chart is the last one.
+  [[nodiscard]] std::vector<PageRect> arranged(const PageRect& whole,
+                                               const PageFormat& format) const {
+    const double gap = kGapPt * format.px_per_pt();
+    const std::size_t count = sides_.size() + 1;
+    constexpr double kBesidePt = 200.0;
+    if (whole.width < kBesidePt * format.px_per_pt()) {
+      return fitting_rows(whole, std::vector<double>(count, 1.0), gap, least_map(format));
+    }
+    std::vector<PageRect> panels;
+    const auto strips =
+        fitting_rows(whole, std::vector<double>((count + 1) / 2, 1.0), gap, least_map(format));
+    for (const PageRect& strip : strips) {
+      const bool is_alone = panels.size() + 1 == count;
+      for (const PageRect& panel :
+           columns(strip, std::vector<double>(is_alone ? 1 : 2, 1.0), gap)) {
+        panels.push_back(panel);
+      }
+    }
+    return panels;
+  }
+
+  Result<void> draw_side(Canvas& canvas,
+                         FigureContext& context,
+                         PageRect panel,
+                         std::size_t number) {
+    const PageFormat& format = context.format();
+    if (!least_map(format).fits_in(panel)) return {};
+    Side& side = *sides_.at(number);
+    draw_caption(canvas, format, panel,
+                 fmt::format("({}) topviews by {}", letter(number), name_of(side.source())));
+    const auto frame = side.map().draw_ground(canvas, context, panel);
+    if (!frame) return forward_error(frame);
+    canvas.push_clip(frame->where);
+    for (const Source line : {Source::kTruth, side.source()}) {
+      if (!options().layers.has(layer_of(line))) continue;
+      std::vector<Eigen::Vector2d> path = path_of(run(), line);
+      path.resize(added_);
+      draw_path(canvas, *frame, path, look_of(line, format.colours()));
+      if (line == side.source()) break;
+    }
+    canvas.pop_clip();
+    side.map().draw_furniture(canvas, format, *frame);
+    return {};
+  }
 
   /// Films go forward, so only what is new is read; going back begins again.
   Result<void> add_up_to(std::size_t last) {
     const std::size_t wanted = last + 1;
-    if (wanted < shown_) {
-      shown_ = 0;
+    if (wanted < added_) {
+      added_ = 0;
+      topviews_ = 0;
       for (const auto& side : sides_) side->clear();
     }
-    if (wanted == shown_) return {};
-    for (; shown_ < wanted; ++shown_) {
-      const auto step = run().reader.step(run().steps[shown_].step);
+    for (; added_ < wanted; ++added_) {
+      const auto step = run().reader->step(run().steps[added_].step);
       if (!step) return forward_error(step);
-      for (const auto& side : sides_) side->add(*step);
+      if (step->topview) ++topviews_;
+      for (const auto& side : sides_) side->add(*step, labels_);
     }
     for (const auto& side : sides_) {
       if (auto refreshed = side->refresh(); !refreshed) return refreshed;
@@ -109,45 +191,97 @@ class Reconstruction : public Figure {
     return {};
   }
 
-  void draw_lines(Canvas& canvas, const MapFrame& frame, Source source, const Theme& theme) const {
-    canvas.push_clip(frame.where);
-    for (const Source line : {Source::kTruth, source}) {
-      std::vector<Eigen::Vector2d> path = path_of(run(), line);
-      path.resize(shown_);
-      const PathLook look = line == Source::kTruth      ? truth_look(theme)
-                            : line == Source::kOdometry ? odometry_look(theme)
-                                                        : estimate_look(theme);
-      draw_path(canvas, frame, path, look);
+  /// Share of the cells seen of each class that the map contradicts, for each source of poses.
+  [[nodiscard]] ChartSpec disagreement(const Theme& theme) const {
+    ChartSpec spec;
+    spec.y = {"disagreeing [%]", 0.0, 100.0};
+    BarsSpec bars;
+    const std::vector<ClassId> classes = classes_known();
+    for (const ClassId id : classes) bars.groups.emplace_back(class_info(id).name);
+    for (const auto& side : sides_) {
+      BarsSpec::Series series{std::string("poses of ") + name_of(side->source()),
+                              {},
+                              bar_colour(side->source(), theme)};
+      for (const ClassId id : classes) {
+        const auto agreeing = side->counts().at(id).share();
+        series.heights.push_back(agreeing ? 100.0 * (1.0 - *agreeing) : std::nan(""));
+      }
+      bars.series.push_back(std::move(series));
     }
-    canvas.pop_clip();
+    spec.bars = std::move(bars);
+    return spec;
   }
 
-  std::array<std::unique_ptr<Side>, 2> sides_;
-  FigureInputs inputs_;
-  double time_s_ = 1e9;
-  std::size_t shown_ = 0;  ///< Steps that the sides hold.
+  /// Classes that the map holds and some topview saw on ground that it knows: the others always disagree.
+  [[nodiscard]] std::vector<ClassId> classes_known() const {
+    std::vector<ClassId> classes;
+    for (ClassId id = 0; id < kClassCount; ++id) {
+      if (held_.cells.at(id) == 0) continue;
+      for (const auto& side : sides_) {
+        if (!side->counts().at(id).share()) continue;
+        classes.push_back(id);
+        break;
+      }
+    }
+    return classes;
+  }
+
+  static Rgba bar_colour(Source source, const Theme& theme) {
+    if (source == Source::kOdometry) return theme.odometry;
+    return source == Source::kEstimate ? theme.estimate : theme.muted;
+  }
+
+  [[nodiscard]] std::vector<LegendEntry> legend(const Theme& theme) const {
+    std::vector<LegendEntry> entries = source_legend(run(), options(), theme);
+    const ClassCounts& counts = sides_.front()->counts();
+    for (ClassId id = 0; id < kClassCount; ++id) {
+      const CellAgreement::Count& count = counts.at(id);
+      if (count.agreeing + count.disagreeing + count.unknown == 0) continue;
+      entries.push_back(
+          {std::string(class_info(id).name), class_colour(id), LegendEntry::Kind::kBar});
+    }
+    for (const auto& side : sides_) {
+      entries.push_back({std::string("poses of ") + name_of(side->source()),
+                         bar_colour(side->source(), theme), LegendEntry::Kind::kBar});
+    }
+    return entries;
+  }
+
+  static constexpr double kGapPt = 10.0;
+  std::vector<std::unique_ptr<Side>> sides_;
+  OverheadMap labels_;
+  ClassStatistics held_;      ///< By the map.
+  std::size_t added_ = 0;     ///< Steps that the sides hold.
+  std::size_t topviews_ = 0;  ///< Of these steps.
 };
 
 }  // namespace
 
 Result<std::unique_ptr<Figure>> make_reconstruction(FigureInputs inputs) {
   const FigureRun& run = inputs.runs.front();
-  const auto first = run.reader.step(run.steps.front().step);
-  if (!first) return forward_error(first);
-  if (!first->topview) {
+  std::optional<double> metres_per_cell;
+  for (std::size_t i = 0; i < run.steps.size() && !metres_per_cell; ++i) {
+    const auto step = run.reader->step(run.steps[i].step);
+    if (!step) return forward_error(step);
+    if (step->topview) metres_per_cell = step->topview->metres_per_cell;
+  }
+  if (!metres_per_cell) {
     return fail(ErrorCode::kMalformed, "{}: holds no topviews, which figure 'reconstruction' needs",
                 run.path.string());
   }
-  std::array<std::unique_ptr<Side>, 2> sides;
-  for (std::size_t i = 0; i < 2; ++i) {
+  auto labels = read_overhead_map(inputs.map);
+  if (!labels) return forward_error(labels);
+  std::vector<std::unique_ptr<Side>> sides;
+  for (const Source source : {Source::kOdometry, Source::kEstimate, Source::kTruth}) {
+    const bool is_known =
+        std::any_of(run.steps.begin(), run.steps.end(),
+                    [source](const RunStep& step) { return pose_of(step, source).has_value(); });
+    if (!is_known && source != Source::kEstimate) continue;
     auto panel = MapPanel::create(inputs.map, MapPanel::Ground::kPicture, inputs.options);
     if (!panel) return forward_error(panel);
-    sides.at(i) =
-        std::make_unique<Side>(std::move(*panel), i == 0 ? Source::kOdometry : Source::kEstimate,
-                               first->topview->metres_per_cell);
+    sides.push_back(std::make_unique<Side>(std::move(*panel), source, *metres_per_cell));
   }
-  return std::make_unique<Reconstruction>(std::move(sides[0]), std::move(sides[1]),
-                                          std::move(inputs));
+  return std::make_unique<Reconstruction>(std::move(sides), std::move(*labels), std::move(inputs));
 }
 
 }  // namespace nadir

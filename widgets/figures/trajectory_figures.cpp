@@ -1,40 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 // Figures of runs over the overhead: trajectories.
-#include "widgets/figures/figures.h"
 #include "widgets/figures/page_layout.h"
 #include "widgets/figures/run_lines.h"
+#include "widgets/figures/timed_figure.h"
 
 namespace nadir {
 namespace {
 
-class Trajectories : public Figure {
+class Trajectories : public TimedFigure {
  public:
   Trajectories(std::unique_ptr<MapPanel> map, FigureInputs inputs)
-      : map_(std::move(map)), inputs_(std::move(inputs)) {
-    for (const FigureRun& run : inputs_.runs) include_run(*map_, run);
+      : TimedFigure(std::move(inputs)), map_(std::move(map)) {
+    for (const FigureRun& each : runs()) include_run(*map_, each);
   }
 
   Result<void> draw(Canvas& canvas, FigureContext& context) override {
     const PageFormat& format = context.format();
+    const Theme& theme = format.colours();
     PageRect rest = page_inside(format);
-    draw_foot(canvas, format, rest, foot_of_all(inputs_.runs));
-    draw_page_legend(canvas, format, rest, run_legend(inputs_.runs, format.colours()));
+    draw_foot(canvas, format, rest, foot_of_all(runs()));
+    draw_page_legend(canvas, format, rest, run_legend(runs(), options(), theme));
+    if (!least_map(format).fits_in(rest)) return {};
     const auto frame = map_->draw_ground(canvas, context, rest);
     if (!frame) return forward_error(frame);
     canvas.push_clip(frame->where);
-    draw_runs(canvas, *frame, inputs_.runs, inputs_.options, time_s_, format.colours());
+    draw_runs(canvas, *frame, runs(), options(), time_s(), theme);
     canvas.pop_clip();
     map_->draw_furniture(canvas, format, *frame);
     return {};
   }
 
-  [[nodiscard]] std::optional<FigureTimes> times() const override { return times_of(inputs_.runs); }
-  void show_at(double time_s) override { time_s_ = time_s; }
-
  private:
   std::unique_ptr<MapPanel> map_;
-  FigureInputs inputs_;
-  double time_s_ = 1e9;  ///< The whole flight, unless a film asks for less.
 };
 
 }  // namespace

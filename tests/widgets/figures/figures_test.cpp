@@ -32,7 +32,7 @@ class Figures : public ::testing::Test {
     for (std::size_t i = 0; kind && i < std::min(runs.size(), kind->most_runs); ++i) {
       made.runs.push_back(runs[i]);
     }
-    made.options.width = 480;
+    made.options.size.width = 480;
     if (figure == "route") {
       made.route = scratch_
                        .file("route.toml",
@@ -123,8 +123,8 @@ TEST_F(Figures, AreRefusedByOneSentence) {
   lost.map = (scratch_.path() / "nowhere").string();
   EXPECT_THAT(fault(lost), HasSubstr("nowhere"));
   FigureRecipe huge = recipe("labels", {});
-  huge.options.width = 100'000;
-  EXPECT_THAT(fault(huge), HasSubstr("--width: 100000 is not in [200, 16000]"));
+  huge.options.size.width = 100'000;
+  EXPECT_THAT(fault(huge), HasSubstr("--size: a width of 100000 is not in [200, 16000]"));
   FigureRecipe never = recipe("flight", {run});
   never.options.from_s = 500.0;
   EXPECT_THAT(fault(never), HasSubstr("has no step from 500 s"));
@@ -151,7 +151,7 @@ TEST_F(Figures, FindTheMapBesideARunThatWasMoved) {
 
 TEST_F(Figures, PutTheBuildingWhereItsCoordinatesAre) {
   FigureRecipe asked = recipe("labels", {});
-  asked.options.width = 600;
+  asked.options.size.width = 600;
   auto figure = make_figure(asked);
   ASSERT_TRUE(figure);
   FigureContext context(page_format(asked.options, 1.25));

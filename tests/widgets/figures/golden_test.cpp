@@ -35,7 +35,9 @@ constexpr FigureGolden kGoldens[] = {
     {"labels", ThemeName::kLight, 400, kEnd},
     {"reconstruction", ThemeName::kLight, 480, 12.0, false},
     {"consistency", ThemeName::kLight, 480, kEnd},
+    {"timing", ThemeName::kLight, 400, kEnd},
     {"moment", ThemeName::kLight, 480, 7.5, false},
+    {"scene", ThemeName::kLight, 480, 7.5, false},
     {"error-surface", ThemeName::kLight, 480, 7.5, false},
     {"compare", ThemeName::kLight, 480, kEnd, false},
     {"flight", ThemeName::kDark, 480, kEnd, false},
@@ -70,9 +72,9 @@ class GoldenFigures : public ::testing::TestWithParam<FigureGolden> {
                            "[[waypoint]]\neast_m = 50\nnorth_m = 22\n")
                      .string();
     made.options.theme = GetParam().theme;
-    made.options.width = GetParam().width_px;
+    made.options.size.width = GetParam().width_px;
     made.options.time_s = GetParam().time_s;
-    made.options.shows_picture = GetParam().shows_picture;
+    made.options.layers.set(FigureLayer::kPicture, GetParam().shows_picture);
     return made;
   }
 

@@ -9,13 +9,16 @@
 #include "core/map/overhead_map_file.h"
 #include "core/run/run_file.h"
 #include "tests/support/drawn_map.h"
+#include "tests/widgets/figures/recorded_camera.h"
 
 namespace nadir {
 
 /// What the run of a test leaves out or spoils.
 struct RunFaults {
   bool has_truth = true, has_particles = true, has_topviews = true;
-  double shift_m = 0.0;  ///< Of all poses from the map.
+  double shift_m = 0.0;               ///< Of all poses from the map.
+  double plane_latitude_deg = 33.45;  ///< That of drawn maps.
+  std::string map_hash = {}, flight_hash = {};
 };
 
 /// Writes a map of 60 m x 40 m, road between curbs and terrain with a building, with a picture: package `folder`.
@@ -79,6 +82,7 @@ inline RunStep street_step(int number, const RunFaults& faults) {
   return step;
 }
 
+/// Beside the run lies what its camera saw, as `flight`: 40 frames from the first step on.
 inline void write_drive(const std::filesystem::path& path,
                         const std::filesystem::path& map,
                         int steps = 30,
@@ -90,7 +94,9 @@ inline void write_drive(const std::filesystem::path& path,
   header.preset = "default";
   header.flight_path = "no/such/flight";
   header.map_path = map.string();
-  header.plane_latitude_deg = 33.45;
+  header.map_hash = faults.map_hash;
+  header.flight_hash = faults.flight_hash;
+  header.plane_latitude_deg = faults.plane_latitude_deg;
   header.plane_longitude_deg = -83.9;
   auto writer = RunWriter::create(path, header);
   if (!writer) throw std::runtime_error(writer.error().message);
@@ -100,6 +106,11 @@ inline void write_drive(const std::filesystem::path& path,
   }
   const auto finished = writer->finish();
   if (!finished) throw std::runtime_error(finished.error().message);
+  const std::filesystem::path flight = path.parent_path() / "flight";
+  if (std::filesystem::exists(flight) || !std::filesystem::exists(map / "map.toml")) return;
+  const auto seen = read_overhead_map(map);
+  if (!seen) throw std::runtime_error(seen.error().message);
+  write_street_flight(*seen, flight, 40);
 }
 
 }  // namespace nadir

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/figures/flight_moments.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/flight/colour_image.h"
+#include "widgets/views/raster_pictures.h"
+
+namespace nadir {
+namespace fs = std::filesystem;
+
+Result<fs::path> find_flight_of(const FigureRun& run) {
+  const fs::path named = run.reader->header().flight_path;
+  const fs::path last = named.has_filename() ? named.filename() : named.parent_path().filename();
+  std::error_code error;
+  for (const fs::path& candidate : {named, run.path.parent_path() / last}) {
+    if (!candidate.empty() && !last.empty() && fs::exists(candidate, error)) return candidate;
+  }
+  return fail(ErrorCode::kNotFound,
+              "{}: its flight {} is not there, and the figure shows what its camera saw",
+              run.path.string(), named.string());
+}
+
+Result<FlightMoments> FlightMoments::open(const FigureRun& run) {
+  const auto path = find_flight_of(run);
+  if (!path) return forward_error(path);
+  auto flight = open_flight(*path);
+  if (!flight) return forward_error(flight);
+  const FlightDescription& description = (*flight)->description();
+  if (!description.camera) {
+    return fail(ErrorCode::kUnsupported, "{}: no camera is described", path->string());
+  }
+  if (auto valid = validate(*description.camera); !valid) {
+    return forward_error(valid, path->string());
+  }
+  const bool has_clouds = std::any_of(
+      description.frames.begin(), description.frames.end(),
+      [](const FlightFrame& frame) { return frame.labels.has_value() && frame.depth.has_value(); });
+  if (!has_clouds) {
+    return fail(ErrorCode::kUnsupported, "{}: no frame has labels and depth", path->string());
+  }
+  return FlightMoments(std::move(*flight));
+}
+
+Result<FlightMoment> FlightMoments::at(double time_s,
+                                       double max_depth_m,
+                                       int every_nth_pixel) const {
+  constexpr double kNearS = 0.1;
+  const FlightDescription& flight = flight_->description();
+  const FlightFrame* nearest = nullptr;
+  for (const FlightFrame& frame : flight.frames) {
+    if (!frame.labels || !frame.depth) continue;
+    if (nearest == nullptr ||
+        std::abs(frame.time_s - time_s) < std::abs(nearest->time_s - time_s)) {
+      nearest = &frame;
+    }
+  }
+  if (nearest == nullptr || std::abs(nearest->time_s - time_s) > kNearS) {
+    return fail(ErrorCode::kNotFound, "{}: has no labels and depth at {:.3f} s",
+                flight.path.string(), time_s);
+  }
+  const auto frame = flight_->load(static_cast<std::size_t>(nearest - flight.frames.data()));
+  if (!frame) return forward_error(frame);
+  FlightMoment moment;
+  moment.camera = *flight.camera;
+  const auto odom_from_body =
+      flight.odometry ? flight.odometry->at(nearest->time_s) : std::optional<Rigid3>();
+  const Eigen::Quaterniond levelling =
+      odom_from_body ? level_from_body(odom_from_body->rotation) : Eigen::Quaterniond::Identity();
+  moment.level_from_camera = Rigid3{levelling, Eigen::Vector3d::Zero()} * flight.body_from_camera;
+  const Eigen::Isometry3d transform = Eigen::Translation3d(moment.level_from_camera.translation_m) *
+                                      moment.level_from_camera.rotation;
+  auto cloud = build_semantic_cloud(frame->labels, frame->depth_m, moment.camera, transform,
+                                    max_depth_m, every_nth_pixel);
+  if (!cloud) return forward_error(cloud, flight.path.string());
+  moment.cloud = std::move(*cloud);
+  moment.level_height_m =
+      flight.altitude_m > 0.0 ? flight.altitude_m : height_above_ground(moment.cloud);
+  if (nearest->image) {
+    const auto picture = read_colour_image(*nearest->image);
+    if (!picture) return forward_error(picture);
+    moment.picture = colour_picture(*picture);
+  } else {
+    moment.picture = class_picture(frame->labels);
+  }
+  return moment;
+}
+
+double height_above_ground(const SemanticCloud& cloud) {
+  std::vector<float> heights;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const ClassId id = cloud.labels[i];
+    const float height = cloud.points_in_level_m[i].z();
+    const bool is_ground = id == kRoad || id == kSidewalk || id == kLaneMarking || id == kTerrain;
+    if (is_ground && std::isfinite(height)) heights.push_back(height);
+  }
+  if (heights.empty()) return 0.0;
+  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), middle, heights.end());
+  return -double{*middle};
+}
+
+}  // namespace nadir
