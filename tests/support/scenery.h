@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/base/random.h"
+#include "core/geo/rigid2.h"
 #include "core/map/map_index.h"
 #include "core/topview/semantic_topview.h"
 

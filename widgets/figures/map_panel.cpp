@@ -194,9 +194,12 @@ Result<MapFrame> MapPanel::draw_ground(Canvas& canvas,
   }
   MapFrame frame{inside, camera_for(inside), px};
   keep_on_map(frame);
-  auto rendered = render(context, {frame.camera, static_cast<int>(frame.where.width),
-                                   static_cast<int>(frame.where.height), context.supersampling, px,
-                                   format.colours().page, format.is_transparent});
+  // A picture is smooth by itself; the edges of cells and marks are not.
+  const bool has_edges = !shows_picture_ || scene_.holds_above(MapLayer::kPicture);
+  auto rendered =
+      render(context, {frame.camera, static_cast<int>(frame.where.width),
+                       static_cast<int>(frame.where.height), has_edges ? context.supersampling : 1,
+                       px, format.colours().page, format.is_transparent});
   if (!rendered) return forward_error(rendered);
   canvas.image(frame.where, pixels_);
   if (options_.shows_graticule_lines) {

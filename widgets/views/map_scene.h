@@ -42,6 +42,9 @@ class MapScene {
   /// Puts a prop above what lies in lower layers and in its own, below the higher ones, whenever those were added.
   void add(vtkProp& prop, MapLayer layer);
   void remove(vtkProp& prop);
+  [[nodiscard]] bool holds_above(MapLayer layer) const {
+    return order_.holds_above(static_cast<int>(layer));
+  }
   /// From now on the view hears of every look(), until it is detached.
   void attach(SightedView& view);
   void detach(SightedView& view);

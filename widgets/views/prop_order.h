@@ -14,6 +14,9 @@ class PropOrder {
   /// Puts a prop above what lies in lower layers and in its own, below the higher ones, whenever those were added.
   void add(vtkRenderer& renderer, vtkProp& prop, int layer);
   void remove(vtkRenderer& renderer, vtkProp& prop);
+  [[nodiscard]] bool holds_above(int layer) const {
+    return !layers_.empty() && layers_.back() > layer;
+  }
 
  private:
   std::vector<int> layers_;  ///< Of the renderer's props, in their order.
