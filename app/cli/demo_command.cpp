@@ -8,11 +8,12 @@
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/localise_flow.h"
+#include "app/cli/report_flow.h"
 #include "app/cli/simulate_flow.h"
 #include "core/base/parallel.h"
 #include "core/base/staged_output.h"
 #include "core/eval/report.h"
-#include "widgets/figures/report.h"
+#include "widgets/canvas/fonts.h"
 
 namespace nadir::cli {
 namespace {
@@ -91,12 +92,18 @@ void add_arguments(CLI::App& app, DemoArguments& values) {
   app.add_flag("--quiet", values.is_quiet, "No progress and no words beside the result");
 }
 
-/// Flight, run and tables in the folder of the demo, where its map lies already.
-Result<RunEvaluation> fly_and_localise(SimulateTask flight,
-                                       LocaliseTask task,
-                                       const fs::path& folder,
-                                       const std::stop_token& stop,
-                                       std::ostream& err) {
+/// What the demo has made.
+struct DemoResult {
+  RunEvaluation evaluation;
+  DrawnReport report;
+};
+
+/// Flight, run, tables and figures in the folder of the demo, where its map lies already.
+Result<DemoResult> fly_and_localise(SimulateTask flight,
+                                    LocaliseTask task,
+                                    const fs::path& folder,
+                                    const std::stop_token& stop,
+                                    std::ostream& err) {
   flight.map = folder / "map";
   flight.flight = folder / "flight";
   if (const auto made = simulate(flight, stop, err); !made) return forward_error(made);
@@ -113,12 +120,9 @@ Result<RunEvaluation> fly_and_localise(SimulateTask flight,
     }
   }
   const ReportRequest report{{task.run->string()}, task.map.string(), {}};
-  ProgressBar bar(err, task.is_quiet);
-  const WorkContext work{
-      stop, [&bar](double fraction, const std::string& activity) { bar.show(fraction, activity); }};
-  const auto drawn = write_report(report, folder / "report", work);
+  auto drawn = draw_report(report, folder / "report", stop, task.is_quiet, err);
   if (!drawn) return forward_error(drawn);
-  return std::move(result->evaluation);
+  return DemoResult{std::move(result->evaluation), std::move(*drawn)};
 }
 
 }  // namespace
@@ -140,15 +144,17 @@ int run_demo(std::span<const std::string> arguments, std::ostream& out, std::ost
   const ThreadLimit limit(values.threads);
   const Interrupt interrupt;
   const fs::path folder = values.folder;
+  if (const auto fonts = check_fonts(); !fonts) return report_error(err, fonts.error());
   const auto prepared = prepare_folder(folder, find_bundled(kBundledMap), interrupt.token());
   if (!prepared) return report_error(err, prepared.error());
-  const auto evaluation =
+  const auto made =
       fly_and_localise(std::move(flight), std::move(task), folder, interrupt.token(), err);
-  if (!evaluation) return report_error(err, evaluation.error());
-  const std::span runs(&*evaluation, 1);
+  if (!made) return report_error(err, made.error());
+  const std::span runs(&made->evaluation, 1);
   out << (values.is_json ? report_as_json(runs) : report_as_text(runs));
+  const int status = tell_of_report(err, made->report, values.is_quiet);
   if (!values.is_quiet) err << what_next(folder);
-  return kDone;
+  return status;
 }
 
 }  // namespace nadir::cli

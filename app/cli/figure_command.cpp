@@ -57,7 +57,8 @@ void add_path_flags(CLI::App& app, FigureArguments& values) {
       ->excludes(app.add_option("--recreate", values.recreated,
                                 "Draw a PNG or SVG again from the recipe that it carries, whose "
                                 "paths start at the current folder; flags win over it, and a run, "
-                                "map or route that has changed since is told of")
+                                "map, picture or route that has changed since is told of; what a "
+                                "flight's camera saw is not compared")
                      ->type_name("FILE")
                      ->excludes(figure));
   app.add_option("--out", values.out,
@@ -90,6 +91,13 @@ void add_arguments(CLI::App& app, FigureArguments& values) {
   app.footer(figure_list());
 }
 
+/// The figure is drawn on another map than before, so hashes of that one say nothing.
+void forget_map(FigureRecipe& recipe) {
+  recipe.inputs.map.clear();
+  recipe.inputs.picture.clear();
+  if (recipe.route.empty()) recipe.inputs.route.clear();
+}
+
 Result<FigureRecipe> recipe_of(const FigureArguments& values) {
   FigureRecipe recipe;
   if (!values.recreated.empty()) {
@@ -103,10 +111,14 @@ Result<FigureRecipe> recipe_of(const FigureArguments& values) {
   } else {
     recipe.figure = values.figure;
   }
-  if (!values.runs.empty()) recipe.runs = values.runs;
+  if (!values.runs.empty()) {
+    recipe.runs = values.runs;
+    recipe.inputs.runs.clear();  // others are no change
+    if (recipe.map.empty()) forget_map(recipe);
+  }
   if (!values.map.empty()) {
     recipe.map = values.map;
-    recipe.inputs.map.clear();  // another one is no change
+    forget_map(recipe);
   }
   if (!values.route.empty()) {
     recipe.route = values.route;

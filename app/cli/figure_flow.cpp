@@ -41,7 +41,8 @@ Result<FigureNotes> notes_on(const FigureRecipe& recipe,
   auto notes = check_fonts();
   if (!notes) return notes;
   const InputHashes& then = recipe.inputs;
-  if (then.runs.empty() && then.map.empty() && then.route.empty()) return notes;
+  if (then.runs.empty() && then.map.empty() && then.picture.empty() && then.route.empty())
+    return notes;
   const auto now = hash_inputs(recipe, sources, work);
   if (!now) return forward_error(now);
   for (std::string& sentence : changed_inputs(recipe, *now)) notes->push_back(std::move(sentence));

@@ -8,8 +8,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/console.h"
-#include "widgets/canvas/fonts.h"
-#include "widgets/figures/report.h"
+#include "app/cli/report_flow.h"
 
 namespace nadir::cli {
 namespace {
@@ -34,7 +33,8 @@ void add_arguments(CLI::App& app, ReportArguments& values) {
   app.add_option("--theme", values.theme, "Colours of the figures, default light")
       ->type_name("{light|dark}")
       ->check(is_one_of({"light", "dark"}));
-  app.add_flag("--quiet", values.is_quiet, "No progress and no words");
+  app.add_flag("--quiet", values.is_quiet,
+               "No progress and no words, unless maps cannot be drawn here");
   app.footer("Example: nadir report run.nadir --out report");
 }
 
@@ -47,25 +47,16 @@ int run_report(std::span<const std::string> arguments, std::ostream& out, std::o
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
   if (!values.map.empty()) values.request.map = find_bundled(values.map).string();
   if (values.theme == "dark") values.request.options.theme = ThemeName::kDark;
-  const auto fonts = check_fonts();
-  if (!fonts) return report_error(err, fonts.error());
   const Interrupt interrupt;
-  Result<ReportSummary> summary;
-  {
-    ProgressBar bar(err, values.is_quiet);
-    const WorkContext work{interrupt.token(), [&bar](double fraction, const std::string& activity) {
-                             bar.show(fraction, activity);
-                           }};
-    summary = write_report(values.request, values.folder, work);
-  }
-  if (!summary) return report_flags_error(err, kReportName, summary.error());
+  const auto drawn =
+      draw_report(values.request, values.folder, interrupt.token(), values.is_quiet, err);
+  if (!drawn) return report_flags_error(err, kReportName, drawn.error());
+  const int status = tell_of_report(err, *drawn, values.is_quiet);
   if (!values.is_quiet) {
-    for (const std::string& note : *fonts) err << "nadir: " << note << "\n";
-    for (const std::string& words : summary->left_out) err << "left out: " << words << "\n";
-    err << fmt::format("{} figures in {}; open {}/index.html\n", summary->figures, values.folder,
-                       values.folder);
+    err << fmt::format("{} figures in {}; open {}/index.html\n", drawn->summary.figures,
+                       values.folder, values.folder);
   }
-  return kDone;
+  return status;
 }
 
 }  // namespace nadir::cli

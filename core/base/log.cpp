@@ -40,7 +40,7 @@ std::string in_one_line(std::string_view message) {
   if (line.size() <= kLongest) return line;
   std::size_t end = kLongest;
   // Not in the middle of a letter of several bytes.
-  while ((static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;
+  while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;
   return line.substr(0, end) + " ...";
 }
 

@@ -20,7 +20,7 @@ void write_log(LogLevel level, std::string_view message);
 /// Says where write_log() leads from now on, in the whole process: the window shows a list, tests collect. This is the one
 /// thing here that the process shares, for libraries report to the process and know nothing of who called them.
 /// @param sink  Empty: lines "warning: ..." and "error: ..." on standard error, as from the start.
-/// @returns the sink before.
+/// @returns the sink before. Another thread may still be in it, so a sink owns, or shares, all that it uses.
 LogSink set_log_sink(LogSink sink);
 
 }  // namespace nadir

@@ -66,6 +66,10 @@ double position_spread_m2(const Eigen::Matrix3d& covariance) {
   return largest * std::sqrt(std::max(uncorrelated, 0.0));
 }
 
+bool is_ellipse_known(const Eigen::Matrix3d& covariance) {
+  return covariance.topLeftCorner<2, 2>().allFinite();
+}
+
 double chi_square_quantile(double probability, double degrees_of_freedom) {
   NADIR_REQUIRE(probability > 0.0 && probability < 1.0 && degrees_of_freedom > 0.0);
   return boost::math::quantile(boost::math::chi_squared(degrees_of_freedom), probability);
@@ -77,7 +81,8 @@ StepConsistency assess_step(const Eigen::Vector3d& error, const Eigen::Matrix3d&
   const Eigen::Matrix2d position_covariance = covariance.topLeftCorner<2, 2>();
   const auto squared = normalised_error_squared(position_error, position_covariance);
   return {.nees = normalised_error_squared(error, covariance),
-          .is_inside_95 = squared && *squared <= ellipse_limit};
+          .is_inside_95 = squared && *squared <= ellipse_limit,
+          .is_ellipse_known = is_ellipse_known(covariance)};
 }
 
 Consistency assess_consistency(std::span<const EvaluatedStep> steps) {
@@ -93,6 +98,10 @@ Consistency assess_consistency(std::span<const EvaluatedStep> steps) {
       ++result.nees_steps;
     } else {
       ++result.excluded_steps;
+    }
+    if (!found.is_ellipse_known) {
+      ++result.coverage_excluded_steps;
+      continue;
     }
     inside += found.is_inside_95 ? 1U : 0U;
     ++result.coverage_steps;

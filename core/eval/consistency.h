@@ -21,7 +21,9 @@ struct Consistency {
       nees_upper_95;  ///< Where the mean of that many *independent* steps would lie
                       ///< 95 times in 100. Steps of a flight are correlated in time, so
                       ///< a mean just outside says little.
-  std::size_t coverage_steps = 0;  ///< Steps behind the coverage: all whose truth is known.
+  std::size_t coverage_steps = 0;  ///< Steps behind the coverage: all whose truth is known and
+                                   ///< whose ellipse is_ellipse_known().
+  std::size_t coverage_excluded_steps = 0;  ///< The others whose truth is known.
   std::optional<double>
       coverage_95;  ///< Share of them whose true position is inside the 95 % ellipse: 0.95 if
                     ///< consistent. A singular ellipse has no inside, so a filter that has
@@ -47,6 +49,10 @@ struct Consistency {
 /// none: not finite, a negative variance, a correlation above 1, or not symmetric.
 [[nodiscard]] double position_spread_m2(const Eigen::Matrix3d& covariance);
 
+/// Whether somebody knew a covariance of the position: false where a number of it is not finite, as in a step that was
+/// recorded without one. Such a step says nothing about calibration, while a singular ellipse has no inside.
+[[nodiscard]] bool is_ellipse_known(const Eigen::Matrix3d& covariance);
+
 /// Value below which a chi-square variable of so many degrees of freedom lies with the given
 /// probability.
 /// @param probability  In (0, 1).   @param degrees_of_freedom  Above 0.
@@ -54,16 +60,17 @@ struct Consistency {
 
 /// Whether one estimate knew how wrong it was.
 struct StepConsistency {
-  std::optional<double> nees;  ///< Nothing where normalised_error_squared() gives nothing.
-  bool is_inside_95 = false;   ///< The true position is inside the 95 % ellipse: d^2 <= 5.991. A
-                               ///< singular ellipse has no inside.
+  std::optional<double> nees;    ///< Nothing where normalised_error_squared() gives nothing.
+  bool is_inside_95 = false;     ///< The true position is inside the 95 % ellipse: d^2 <= 5.991. A
+                                 ///< singular ellipse has no inside, nor has one that is not known.
+  bool is_ellipse_known = true;  ///< As is_ellipse_known() says; else the step tells no coverage.
 };
 /// @param error  Estimate minus truth, as pose_error() gives it.
 [[nodiscard]] StepConsistency assess_step(const Eigen::Vector3d& error,
                                           const Eigen::Matrix3d& covariance);
 
 /// NEES with bounds and the coverage of the 95 % position ellipse: the share with d^2 <=
-/// chi2_2(0.95) = 5.991, where d is the Mahalanobis distance. See Bar-Shalom, Li & Kirubarajan
+/// chi2_2(0.95) = 5.991, where d is the Mahalanobis distance, of the steps with a covariance. See Bar-Shalom, Li & Kirubarajan
 /// 2001, section 5.4.
 [[nodiscard]] Consistency assess_consistency(std::span<const EvaluatedStep> steps);
 

@@ -36,7 +36,9 @@ std::string error_row(const RunEvaluation& e,
                       std::string_view unit,
                       Value value,
                       bool with_ratio = true) {
-  return row(name, unit, value(*e.odometry), value(*e.estimate), with_ratio);
+  std::optional<double> odometry;  // of a run whose truth begins after its first step there is none
+  if (e.odometry) odometry = value(*e.odometry);
+  return row(name, unit, odometry, value(*e.estimate), with_ratio);
 }
 
 std::string statistics_rows(const RunEvaluation& e,
@@ -72,7 +74,8 @@ std::string error_table(const RunEvaluation& e) {
       e, "within 3 m", "%", [](const Summary& s) { return 100.0 * s.recall_3m; }, false);
   text += error_row(
       e, "within 5 m", "%", [](const Summary& s) { return 100.0 * s.recall_5m; }, false);
-  if (e.estimate->relative && e.odometry->relative) {
+  const bool has_drift = e.estimate->relative && (!e.odometry || e.odometry->relative);
+  if (has_drift) {
     text += error_row(e, fmt::format("drift over {:.0f} m", e.estimate->relative->segment_m), "%",
                       [](const Summary& s) { return 100.0 * s.relative->position_m_per_m; });
     text += error_row(
@@ -98,6 +101,10 @@ std::string judgement(const RunEvaluation& e) {
     text += fmt::format(
         "  coverage       {:.1f} % of {} steps with the truth inside the 95 % ellipse\n",
         100.0 * *c.coverage_95, c.coverage_steps);
+  }
+  if (c.coverage_excluded_steps > 0) {
+    text +=
+        fmt::format("  cov. left out  {} steps without a covariance\n", c.coverage_excluded_steps);
   }
   if (e.convergence.after_s) {
     text += fmt::format("  converged      after {:.1f} s and {:.1f} m\n", *e.convergence.after_s,
@@ -138,8 +145,7 @@ std::string table(const RunEvaluation& e) {
   if (e.computing_ms_mean) {
     text += fmt::format("  computing      {:.2f} ms an update\n", *e.computing_ms_mean);
   }
-  if (!e.estimate || !e.odometry)
-    return text + "\n  The truth is not known, so there are no errors.\n";
+  if (!e.estimate) return text + "\n  The truth is not known, so there are no errors.\n";
   return text + error_table(e) + judgement(e);
 }
 

@@ -99,33 +99,41 @@ ErrorSeries error_series(std::span<const EvaluatedStep> steps) {
     series.yaw_sigma_rad.push_back(sigma(step.covariance(2, 2)));
     series.nees.push_back(consistency.nees.value_or(kUnknown));
     series.is_inside_95.push_back(consistency.is_inside_95);
+    series.is_ellipse_known.push_back(consistency.is_ellipse_known);
   }
   return series;
+}
+
+double lower_median(std::vector<double> values) {
+  NADIR_REQUIRE(!values.empty());
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 std::vector<std::size_t> time_gaps(std::span<const double> time_s, double most_periods) {
   if (time_s.size() < 2) return {};
   std::vector<double> periods(time_s.size() - 1);
   for (std::size_t i = 1; i < time_s.size(); ++i) periods[i - 1] = time_s[i] - time_s[i - 1];
-  // Of an even number the lower one in the middle: half of all distances being gaps is none the less seen.
-  std::vector<double> ordered = periods;
-  const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>((ordered.size() - 1) / 2);
-  std::nth_element(ordered.begin(), middle, ordered.end());
+  const double usual = lower_median(periods);
   std::vector<std::size_t> gaps;
   for (std::size_t i = 0; i < periods.size(); ++i) {
-    if (periods[i] > most_periods * *middle) gaps.push_back(i + 1);
+    if (periods[i] > most_periods * usual) gaps.push_back(i + 1);
   }
   return gaps;
 }
 
 std::vector<std::size_t> gaps_of(const ErrorSeries& series) {
   std::vector<std::size_t> gaps = time_gaps(series.time_s);
-  std::size_t usual = std::numeric_limits<std::size_t>::max();
+  if (series.step.size() < 2) return gaps;
+  constexpr double kMostUsual = 1.5;  // truth at 0, 3, 7, 10 ... has no gaps
+  std::vector<double> distances;
   for (std::size_t i = 1; i < series.step.size(); ++i) {
-    usual = std::min(usual, series.step[i] - series.step[i - 1]);
+    distances.push_back(static_cast<double>(series.step[i] - series.step[i - 1]));
   }
-  for (std::size_t i = 1; i < series.step.size(); ++i) {
-    if (series.step[i] - series.step[i - 1] > usual) gaps.push_back(i);
+  const double usual = lower_median(distances);
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    if (distances[i] > kMostUsual * usual) gaps.push_back(i + 1);
   }
   std::sort(gaps.begin(), gaps.end());
   gaps.erase(std::unique(gaps.begin(), gaps.end()), gaps.end());

@@ -21,7 +21,9 @@ struct ErrorSeries {
   std::vector<double> x_sigma_m, y_sigma_m, yaw_sigma_rad;  ///< Roots of the variances.
   std::vector<double> nees;        ///< As in Consistency; NaN where the covariance gives none.
   std::vector<bool> is_inside_95;  ///< True position inside the 95 % ellipse; a singular one has no
-                                   ///< inside. Its mean is Consistency::coverage_95.
+                                   ///< inside. Its mean where is_ellipse_known is
+                                   ///< Consistency::coverage_95.
+  std::vector<bool> is_ellipse_known;  ///< Whether the step has a covariance of the position.
 
   [[nodiscard]] std::size_t size() const { return time_s.size(); }
 };
@@ -29,13 +31,18 @@ struct ErrorSeries {
 /// @param steps  In order of time. Poses need not be finite. O(n).
 [[nodiscard]] ErrorSeries error_series(std::span<const EvaluatedStep> steps);
 
+/// The middle one of some values; of an even number the lower one in the middle, so that a distance which half of all
+/// have is the usual one. @param values  At least one, none NaN. O(n).
+[[nodiscard]] double lower_median(std::vector<double> values);
+
 /// Where a line through points at these times has to break: every i whose distance from i - 1 is more than so many times
 /// the median distance. Ascending. @param time_s  Never falling. O(n).
 [[nodiscard]] std::vector<std::size_t> time_gaps(std::span<const double> time_s,
                                                  double most_periods = 5.0);
 
-/// The same of a series, and every i that has steps without truth before it. Where no two steps in a row have truth, it is
-/// known at a lower rate than the estimate, and the least distance of two elements, in steps, is the usual one.
+/// The same of a series, and every i that has more steps without truth before it than usual: whose distance from i - 1, in
+/// steps, is more than 1.5 times the median one. So truth at a lower rate than the estimate, evenly or nearly so, makes one
+/// line, and of truth at every step a single one that is missing breaks it.
 [[nodiscard]] std::vector<std::size_t> gaps_of(const ErrorSeries& series);
 
 /// The values with a NaN put before those of the given indices, which breaks a line or band there.

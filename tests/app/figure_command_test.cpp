@@ -119,6 +119,31 @@ TEST_F(FigureCommand, SaysWhichInputHasChangedSinceAndDrawsAllTheSame) {
   EXPECT_EQ(named.err, "");
 }
 
+TEST_F(FigureCommand, TakesAnotherRunThanThatOfTheRecipeForNoChange) {
+  scratch_.file("r.toml",
+                "figure = \"trajectories\"\nruns = [\"run.nadir\"]\n[options]\nsize = 300\n"
+                "[inputs]\nruns = [\"00\"]\nmap = \"00\"\npicture = \"00\"\n");
+  const auto stored = run_program({"figure", path("r.toml"), "--out", path("g.png")});
+  EXPECT_EQ(stored.err, "nadir: " + path("run.nadir") +
+                            " has changed since the figure was drawn\n"
+                            "nadir: the run's map has changed since the figure was drawn\n");
+  write_street(path("other"), false);
+  write_drive(path("b.nadir"), path("other"), 9);
+  const auto other =
+      run_program({"figure", path("r.toml"), "--run", path("b.nadir"), "--out", path("g.png")});
+  EXPECT_EQ(other.status, 0) << other.err;
+  EXPECT_EQ(other.err, "");
+}
+
+TEST_F(FigureCommand, SaysThatThePictureOfTheMapHasChanged) {
+  ASSERT_EQ(figure({"trajectories", "--run", path("run.nadir"), "--out", path("f.png")}).status, 0);
+  fs::remove(path("map/image.tif"));
+  const auto bare = run_program({"figure", "--recreate", path("f.png"), "--out", path("g.png")});
+  EXPECT_EQ(bare.status, 0);
+  EXPECT_EQ(bare.err,
+            "nadir: the picture of the run's map has changed since the figure was drawn\n");
+}
+
 TEST_F(FigureCommand, SaysWhereAStoredPathStartsIfItLeadsNowhere) {
   ASSERT_EQ(figure({"cdf", "--run", path("run.nadir"), "--out", path("f.png")}).status, 0);
   fs::remove(path("run.nadir"));

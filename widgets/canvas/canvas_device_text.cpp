@@ -99,7 +99,9 @@ void CanvasDevice::draw_text(const Eigen::Vector2d& point, const std::string& te
   const Eigen::Rotation2Dd turned(style.rotation_deg * kTurnRadPerDeg);
   double baseline = block.first_baseline;
   for (const std::string& line : block.lines) {
-    canvas_->text(point + turned * Eigen::Vector2d(0.0, baseline), line, style);
+    if (line.find_first_not_of(' ') != std::string::npos) {
+      canvas_->text(point + turned * Eigen::Vector2d(0.0, baseline), line, style);
+    }
     baseline -= kLineSpacing * style.size_px;
   }
 }

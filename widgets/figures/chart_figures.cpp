@@ -56,10 +56,14 @@ std::vector<CaptionedChart> cdf_charts(std::span<const FigureRun> runs, const Th
 std::vector<CaptionedChart> consistency_charts(std::span<const FigureRun> runs,
                                                const Theme& theme) {
   const FigureRun& run = runs.front();
-  return {{"(a) normalised error squared", nees_chart(run, theme)},
-          {"(b) calibration of the position ellipse", calibration_chart(run, theme)},
-          {"(c) effective sample size", sample_size_chart(run, theme)},
-          {"(d) agreement with the map", agreement_chart(runs, theme)}};
+  std::vector<CaptionedChart> charts = {
+      {"(a) normalised error squared", nees_chart(run, theme)},
+      {"(b) calibration of the position ellipse", calibration_chart(run, theme)},
+      {"(c) effective sample size", sample_size_chart(run, theme)},
+      {"(d) agreement with the map", agreement_chart(runs, theme)}};
+  // Each panel's caption says what of the run its line is; the legend names the run once for all of them.
+  for (CaptionedChart& captioned : charts) captioned.chart.lines.front().name = "this run";
+  return charts;
 }
 
 std::vector<CaptionedChart> timing_charts(std::span<const FigureRun> runs, const Theme& theme) {
@@ -111,6 +115,14 @@ Result<std::unique_ptr<Figure>> make_consistency(FigureInputs inputs) {
   if (consistency.coverage_95) {
     words += fmt::format("{}{:.1f} % of true positions inside the 95 % ellipse",
                          words.empty() ? "" : " · ", 100.0 * *consistency.coverage_95);
+  }
+  if (consistency.excluded_steps > 0) {
+    words += fmt::format("{}{} steps without a usable covariance left out of NEES",
+                         words.empty() ? "" : " · ", consistency.excluded_steps);
+    if (consistency.coverage_excluded_steps > 0) {
+      words +=
+          fmt::format(", {} without any out of calibration", consistency.coverage_excluded_steps);
+    }
   }
   return std::make_unique<ChartFigure>(std::move(inputs), consistency_charts, 2, words);
 }

@@ -10,8 +10,9 @@ namespace nadir {
 namespace {
 
 constexpr const char* kTimeTitle = "time [s]";
+constexpr double kDegPerRad = Angle::radians(1.0).degrees();
 
-double degrees(double radians) { return Angle::radians(radians).degrees(); }
+double degrees(double radians) { return kDegPerRad * radians; }
 
 std::vector<double> in_degrees(std::vector<double> radians) {
   for (double& value : radians) value = degrees(value);
@@ -55,7 +56,7 @@ ChartSpec error_over_time(std::span<const FigureRun> runs,
                           const Theme& theme) {
   ChartSpec spec;
   spec.x.title = kTimeTitle;
-  spec.y.title = kind == ErrorKind::kPosition ? "position error [m]" : "orientation error [deg]";
+  spec.y.title = kind == ErrorKind::kPosition ? "error [m]" : "error [deg]";
   spec.y.low = 0.0;
   if (with_odometry) {
     LineSpec line = error_line("odometry (input)", runs.front(), odometry_series(runs.front()),
@@ -71,6 +72,16 @@ ChartSpec error_over_time(std::span<const FigureRun> runs,
     spec.lines.push_back(std::move(line));
   }
   return spec;
+}
+
+/// What odometry says depends on the flight alone, and so tells flights apart.
+bool are_of_one_flight(std::span<const FigureRun> runs) {
+  const auto flight_of = [](const FigureRun& run) {
+    return run.reader ? run.reader->header().flight_hash : run.evaluation.flight;
+  };
+  return std::all_of(runs.begin(), runs.end(), [&](const FigureRun& run) {
+    return flight_of(run) == flight_of(runs.front());
+  });
 }
 
 std::vector<double> scaled(const std::vector<double>& values, double factor) {
@@ -98,27 +109,27 @@ ChartSpec axis_error_chart(const FigureRun& run, PoseAxis axis, const Theme& the
   std::vector<double> sigma;
   switch (axis) {
     case PoseAxis::kEast:
-      spec.y.title = "east error [m]";
+      spec.y.title = "error [m]";
       error = series.x_error_m;
       sigma = series.x_sigma_m;
       break;
     case PoseAxis::kNorth:
-      spec.y.title = "north error [m]";
+      spec.y.title = "error [m]";
       error = series.y_error_m;
       sigma = series.y_sigma_m;
       break;
     case PoseAxis::kYaw:
-      spec.y.title = "yaw error [deg]";
+      spec.y.title = "error [deg]";
       error = in_degrees(series.yaw_error_rad);
       sigma = in_degrees(series.yaw_sigma_rad);
       break;
   }
   error = broken_at(gaps, error);
   sigma = broken_at(gaps, sigma);
-  spec.bands.push_back({"2 sigma of the particles", elapsed, scaled(sigma, -2.0),
-                        scaled(sigma, 2.0), with_opacity(theme.estimate, 0.14)});
+  spec.bands.push_back({"2 sigma", elapsed, scaled(sigma, -2.0), scaled(sigma, 2.0),
+                        with_opacity(theme.estimate, 0.14)});
   spec.bands.push_back(
-      {"1 sigma", elapsed, scaled(sigma, -1.0), sigma, with_opacity(theme.estimate, 0.22)});
+      {"1 sigma", elapsed, scaled(sigma, -1.0), sigma, with_opacity(theme.estimate, 0.34)});
   spec.lines.push_back({"error of the estimate", elapsed, error, theme.estimate, 1.25});
   return spec;
 }
@@ -150,8 +161,16 @@ ChartSpec cdf_chart(std::span<const FigureRun> runs, ErrorKind kind, const Theme
     cdf.share.insert(cdf.share.begin(), 0.0);
     spec.lines.push_back({name, cdf.value, cdf.share, colour, 1.5, is_dashed, true});
   };
-  add(runs.size() == 1 ? "odometry (input)" : "odometry of " + runs.front().name,
+  // Runs of one flight have one odometry; of several, each has its own.
+  const bool are_alike = are_of_one_flight(runs);
+  add(runs.size() == 1 || are_alike ? "odometry (input)"
+                                    : "odometry (input) of " + runs.front().name,
       odometry_series(runs.front()), theme.odometry, true);
+  for (std::size_t r = 1; !are_alike && r < runs.size(); ++r) {
+    add("odometry (input) of " + runs[r].name, odometry_series(runs[r]), run_colour(theme, r),
+        true);
+    if (!spec.lines.empty()) spec.lines.back().width_pt = 1.0;
+  }
   for (std::size_t r = 0; r < runs.size(); ++r) {
     add(runs.size() == 1 ? "estimate" : runs[r].name, error_series(runs[r].judged),
         run_colour(theme, r), is_run_dashed(r));
@@ -168,14 +187,17 @@ ChartSpec cdf_chart(std::span<const FigureRun> runs, ErrorKind kind, const Theme
 
 ChartSpec mse_chart(std::span<const FigureRun> runs, ErrorKind kind, const Theme& theme) {
   ChartSpec spec;
-  spec.y.title = kind == ErrorKind::kPosition ? "position MSE [m²]" : "orientation MSE [rad²]";
+  spec.y.title = kind == ErrorKind::kPosition ? "MSE [m²]" : "MSE [deg²]";
+  spec.y.title += ", log scale";
   BarsSpec bars;
   bars.is_logarithmic = true;
+  bars.shows_values = true;
   bars.series = {{"odometry (input)", {}, theme.odometry}, {"estimate", {}, theme.estimate}};
   const auto mse = [kind](const std::optional<PoseErrorSummary>& summary) {
     if (!summary) return std::nan("");
-    return kind == ErrorKind::kPosition ? summary->position_m.mean_square
-                                        : summary->orientation_rad.mean_square;
+    return kind == ErrorKind::kPosition
+               ? summary->position_m.mean_square
+               : summary->orientation_rad.mean_square * kDegPerRad * kDegPerRad;
   };
   for (const FigureRun& run : runs) {
     bars.groups.push_back(run.name);

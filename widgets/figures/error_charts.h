@@ -33,11 +33,11 @@ enum class PoseAxis { kEast, kNorth, kYaw };
                                                 const Theme& theme);
 
 enum class ErrorKind { kPosition, kOrientation };
-/// Share of steps whose error is at most so large (4-8).
+/// Share of steps whose error is at most so large (4-8). Runs of several flights have an odometry each.
 [[nodiscard]] ChartSpec cdf_chart(std::span<const FigureRun> runs,
                                   ErrorKind kind,
                                   const Theme& theme);
-/// Mean squared error of each run, input beside estimate (4-7).
+/// Mean squared error of each run, input beside estimate (4-7), in m^2 or deg^2 as the report has it.
 [[nodiscard]] ChartSpec mse_chart(std::span<const FigureRun> runs,
                                   ErrorKind kind,
                                   const Theme& theme);
@@ -50,7 +50,7 @@ enum class ErrorKind { kPosition, kOrientation };
 /// NEES of each step with the bounds between which a step of a consistent filter lies 95 times in 100 (Bar-Shalom et al.
 /// 2001, section 5.4).
 [[nodiscard]] ChartSpec nees_chart(const FigureRun& run, const Theme& theme);
-/// Share of truth inside the p-ellipse against p: the diagonal for a consistent filter.
+/// Share of truth inside the p-ellipse against p: the diagonal for a consistent filter. Of the steps with a covariance.
 [[nodiscard]] ChartSpec calibration_chart(const FigureRun& run, const Theme& theme);
 /// Effective sample size beside the number of particles.
 [[nodiscard]] ChartSpec sample_size_chart(const FigureRun& run, const Theme& theme);

@@ -13,6 +13,7 @@
 #include "widgets/figures/chart_panel.h"
 #include "widgets/figures/page_layout.h"
 #include "widgets/figures/run_lines.h"
+#include "widgets/figures/run_on_map.h"
 #include "widgets/figures/timed_figure.h"
 #include "widgets/views/particle_view.h"
 #include "widgets/views/raster_view.h"
@@ -73,7 +74,9 @@ class Surface : public TimedFigure {
         map_(std::move(map)),
         matcher_(std::move(matcher)),
         surface_(map_->scene(), MapLayer::kSurface),
-        particles_(map_->scene()) {}
+        particles_(map_->scene()) {
+    map_->fade_labels();
+  }
 
   Result<void> draw(Canvas& canvas, FigureContext& context) override {
     if (auto computed = compute_shown_step(); !computed) return computed;
@@ -117,6 +120,9 @@ class Surface : public TimedFigure {
       why_not_ = "the run holds no topviews";
     } else if (!is_finite(centre())) {
       why_not_ = "the estimate of this step is not a number";
+    } else if (const auto unlike = unlike_cells(*step_->topview, matcher_.map())) {
+      step_.reset();
+      return fail(ErrorCode::kMalformed, "{}: {}", run().path.string(), *unlike);
     } else {
       auto plane = error_surface(matcher_, *step_->topview, centre(), kPlane);
       auto turn = error_surface(matcher_, *step_->topview, centre(), kTurn);

@@ -41,9 +41,10 @@ Result<void> take_inputs(const Settings& settings, InputHashes& into) {
   if (!settings.has("inputs")) return {};
   const auto inputs = settings.table("inputs");
   if (!inputs) return forward_error(inputs);
-  return inputs->refuse_unknown({"runs", "map", "route"})
+  return inputs->refuse_unknown({"runs", "map", "picture", "route"})
       .and_then([&] { return take_texts(*inputs, "runs", into.runs); })
       .and_then([&] { return take_text(*inputs, "map", into.map); })
+      .and_then([&] { return take_text(*inputs, "picture", into.picture); })
       .and_then([&] { return take_text(*inputs, "route", into.route); });
 }
 
@@ -76,10 +77,12 @@ std::string text_list(const std::vector<std::string>& texts) {
 /// Only the lines of keys that have a value.
 std::string path_lines(const std::vector<std::string>& runs,
                        const std::string& map,
+                       const std::string& picture,
                        const std::string& route) {
   std::string text;
   if (!runs.empty()) text += "runs = " + text_list(runs) + "\n";
   if (!map.empty()) text += "map = " + toml_quoted(map) + "\n";
+  if (!picture.empty()) text += "picture = " + toml_quoted(picture) + "\n";
   if (!route.empty()) text += "route = " + toml_quoted(route) + "\n";
   return text;
 }
@@ -122,13 +125,18 @@ Result<FigureRecipe> parse_figure_recipe(std::string_view text, const std::strin
 
 std::string recipe_text(const FigureRecipe& recipe) {
   std::string text = "figure = " + toml_quoted(recipe.figure) + "\n" +
-                     path_lines(recipe.runs, recipe.map, recipe.route);
+                     path_lines(recipe.runs, recipe.map, "", recipe.route);
   const std::string options = option_lines(recipe.options);
   if (!options.empty()) text += "\n[options]\n" + options;
-  const std::string inputs = path_lines(recipe.inputs.runs, recipe.inputs.map, recipe.inputs.route);
+  const InputHashes& hashes = recipe.inputs;
+  const std::string inputs = path_lines(hashes.runs, hashes.map, hashes.picture, hashes.route);
   if (!inputs.empty())
     text += "\n# Hashes (FNV-1a) of what it was drawn from.\n[inputs]\n" + inputs;
   return text;
+}
+
+bool shows_picture(const FigureRecipe& recipe) {
+  return recipe.figure != "labels" && recipe.options.layers.has(FigureLayer::kPicture);
 }
 
 std::vector<std::string> changed_inputs(const FigureRecipe& recipe, const InputHashes& now) {
@@ -142,7 +150,14 @@ std::vector<std::string> changed_inputs(const FigureRecipe& recipe, const InputH
   for (std::size_t i = 0; i < runs; ++i) {
     compare(recipe.runs.at(i), recipe.inputs.runs[i], now.runs[i]);
   }
-  compare(recipe.map.empty() ? "the run's map" : recipe.map, recipe.inputs.map, now.map);
+  const std::string map = recipe.map.empty() ? "the run's map" : recipe.map;
+  compare(map, recipe.inputs.map, now.map);
+  // A map that has changed need not be told of twice.
+  const bool is_same_map = recipe.inputs.map.empty() || recipe.inputs.map == now.map;
+  if (shows_picture(recipe) && is_same_map) {
+    const std::string picture = now.picture.empty() ? "gone" : now.picture;
+    compare("the picture of " + map, recipe.inputs.picture, picture);
+  }
   compare(recipe.route.empty() ? "the map's route" : recipe.route, recipe.inputs.route, now.route);
   return sentences;
 }

@@ -11,11 +11,12 @@
 
 namespace nadir {
 
-/// Hashes of what a figure was drawn from, hexadecimal; empty where it was drawn without or where it is not known.
+/// Hashes of what a figure was drawn from, except the flight whose camera `moment` and `scene` show; hexadecimal; empty where it was drawn without or where it is not known.
 struct InputHashes {
   std::vector<std::string> runs;  ///< Of the files, in the order of the recipe's runs.
   std::string map;                ///< As RunHeader::map_hash: the plane, the place and the labels.
   std::string route;              ///< Of the file.
+  std::string picture = {};       ///< Of the map's image.tif, where the figure shows it.
 };
 
 /// Everything that draws a figure again: TOML with `figure`, `runs`, `map`, `route` and a table [options] with any of
@@ -41,6 +42,9 @@ struct FigureRecipe {
 
 /// Only what differs from the defaults, in the order of the list; parse_figure_recipe gives the same recipe again.
 [[nodiscard]] std::string recipe_text(const FigureRecipe& recipe);
+
+/// Whether the figure draws the map's picture where the map has one.
+[[nodiscard]] bool shows_picture(const FigureRecipe& recipe);
 
 /// "run.nadir has changed since the figure was drawn": a sentence for every input of the recipe whose hash is known and
 /// another one now.

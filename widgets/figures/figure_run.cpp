@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 std::size_t FigureRun::index_at(double elapsed) const {
   const auto after =
-      std::upper_bound(steps.begin(), steps.end(), start_s + elapsed + 1e-9,
+      std::upper_bound(steps.begin(), steps.end(), start_s + elapsed + kSameTimeS,
                        [](double time_s, const RunStep& step) { return time_s < step.time_s; });
   return after == steps.begin() ? 0 : static_cast<std::size_t>(after - steps.begin()) - 1;
 }
@@ -21,6 +21,8 @@ std::size_t FigureRun::index_at(double elapsed) const {
 Result<FigureRun> open_figure_run(const fs::path& path, const FigureOptions& options) {
   auto reader = RunReader::open(path);
   if (!reader) return forward_error(reader);
+  // Asked first: what is complete now was complete when its steps are read.
+  const bool is_complete = reader->is_complete();
   auto steps = reader->steps();
   if (!steps) return forward_error(steps);
   if (steps->empty()) return fail(ErrorCode::kMalformed, "{}: holds no steps", path.string());
@@ -31,7 +33,7 @@ Result<FigureRun> open_figure_run(const fs::path& path, const FigureOptions& opt
   run.reader = std::make_shared<const RunReader>(std::move(*reader));
   for (RunStep& step : *steps) {
     const double elapsed_s = run.elapsed_s(step);
-    if (elapsed_s >= options.from_s && elapsed_s <= options.to_s) {
+    if (elapsed_s >= options.from_s - kSameTimeS && elapsed_s <= options.to_s + kSameTimeS) {
       run.steps.push_back(std::move(step));
     }
   }
@@ -46,6 +48,7 @@ Result<FigureRun> open_figure_run(const fs::path& path, const FigureOptions& opt
   if (!evaluation) return forward_error(evaluation, path.string());
   run.evaluation = std::move(*evaluation);
   describe(run.evaluation, run.reader->header(), path.string());
+  run.evaluation.is_complete = is_complete;
   return run;
 }
 
@@ -65,6 +68,7 @@ std::string foot_of(const FigureRun& run) {
   const RunHeader& header = run.reader->header();
   std::string text = fmt::format("{} on {}, preset {}, seed {}", header.flight, header.map,
                                  header.preset, header.seed);
+  if (!evaluation.is_complete) text += " · stopped before its end";
   for (const std::string& remark : run.remarks) text += " · " + remark;
   if (run.has_truth()) {
     text += fmt::format(

@@ -12,6 +12,9 @@
 
 namespace nadir {
 
+/// Times that differ by less are the same: in seconds since 1970 a double's step is 2.4e-7 s.
+inline constexpr double kSameTimeS = 1e-6;
+
 /// A recorded run as figures use it: all its steps without particles and topviews, which are read when they are drawn.
 /// Copies read the same open file.
 struct FigureRun {
@@ -26,7 +29,7 @@ struct FigureRun {
   std::vector<std::string> remarks;
 
   [[nodiscard]] double elapsed_s(const RunStep& step) const { return step.time_s - start_s; }
-  /// The last step that is not after the moment, else the first.
+  /// The last step that is not after the moment (to kSameTimeS), else the first.
   [[nodiscard]] std::size_t index_at(double elapsed_s) const;
   [[nodiscard]] bool has_truth() const { return evaluation.matched_pairs > 0; }
 };
@@ -39,7 +42,7 @@ struct FigureRun {
 /// @errors kNotFound: "R.nadir: its map PATH is not there; name one with --map".
 [[nodiscard]] Result<std::filesystem::path> find_map_of(const FigureRun& run);
 
-/// "no alignment, 401 matched pairs, 0 steps dropped" and the remarks: what every figure of a run says at its foot.
+/// "stopped before its end" where it was, the remarks, "no alignment, 401 matched pairs, 0 steps dropped": what every figure of a run says at its foot.
 [[nodiscard]] std::string foot_of(const FigureRun& run);
 
 /// Positions of a run's steps in enu, metres; not finite where not known.

@@ -65,6 +65,8 @@ Result<fs::path> map_of_recipe(const FigureRecipe& recipe, FigureSources& source
   return find_map_of(*run);
 }
 
+fs::path picture_of(const fs::path& map) { return map / "image.tif"; }
+
 fs::path default_route_of(const fs::path& map) { return map / "routes" / "loop.toml"; }
 
 fs::path route_of_recipe(const FigureRecipe& recipe, const fs::path& map) {
@@ -87,6 +89,13 @@ Result<InputHashes> hash_inputs(const FigureRecipe& recipe,
   const auto facts = sources.map(*map);
   if (!facts) return forward_error(facts);
   hashes.map = facts->hash;
+  std::error_code error;
+  const fs::path picture = picture_of(*map);
+  if (shows_picture(recipe) && fs::exists(picture, error)) {
+    const auto hash = sources.file_hash(picture, work);
+    if (!hash) return forward_error(hash);
+    hashes.picture = *hash;
+  }
   const fs::path route = route_of_recipe(recipe, *map);
   if (route.empty()) return hashes;
   const auto hash = sources.file_hash(route, work);

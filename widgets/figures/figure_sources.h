@@ -41,6 +41,9 @@ class FigureSources {
   std::map<std::string, std::string> hashes_;
 };
 
+/// The file of a map package's picture, which may be missing.
+[[nodiscard]] std::filesystem::path picture_of(const std::filesystem::path& map);
+
 /// The map package that a recipe's figure is drawn on: the one that it names, else that of its first run. Empty where the
 /// figure needs none. @errors as figure_kind, open_figure_run and find_map_of; kInvalidOptions: neither map nor run.
 [[nodiscard]] Result<std::filesystem::path> map_of_recipe(const FigureRecipe& recipe,
@@ -52,7 +55,7 @@ class FigureSources {
 [[nodiscard]] std::filesystem::path route_of_recipe(const FigureRecipe& recipe,
                                                     const std::filesystem::path& map);
 
-/// Hashes of everything that the recipe's figure is drawn from. @errors as map_of_recipe and FigureSources.
+/// Hashes of what the recipe's figure is drawn from; see InputHashes. @errors as map_of_recipe and FigureSources.
 [[nodiscard]] Result<InputHashes> hash_inputs(const FigureRecipe& recipe,
                                               FigureSources& sources,
                                               const WorkContext& work);

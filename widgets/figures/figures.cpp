@@ -81,7 +81,7 @@ constexpr std::array<FigureKind, 14> kFigures{{
      {1.15, 0.6},
      make_reconstruction},
     {"consistency",
-     "is the filter as sure as it may be: NEES, coverage, deviations",
+     "is the filter as sure as it may be: NEES, calibration, sample size, agreement",
      1,
      1,
      false,

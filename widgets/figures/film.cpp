@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/base/staged_output.h"
+#include "widgets/figures/figure_run.h"
 
 namespace nadir {
 namespace {
@@ -92,11 +93,11 @@ Result<FilmSummary> write_film(Figure& figure,
   const double from_s = std::max(options.from_s, times->first_s);
   const double to_s = std::min(options.to_s, times->last_s);
   const double step_s = options.speed / options.fps;
-  if (!(to_s >= from_s)) {
+  if (!(to_s >= from_s - kSameTimeS)) {
     return fail(ErrorCode::kInvalidOptions, "{}: no time between {:g} s and {:g} s", path.string(),
                 options.from_s, options.to_s);
   }
-  const double frames = std::floor((to_s - from_s) / step_s + 1e-9) + 1.0;
+  const double frames = std::floor((to_s - from_s + kSameTimeS) / step_s) + 1.0;
   if (!(frames <= kMostFilmFrames)) {
     return fail(ErrorCode::kInvalidOptions,
                 "{}: {:.0f} frames are more than {}; a lower --fps or a higher --speed makes fewer",
@@ -121,7 +122,7 @@ Result<FilmSummary> write_film(Figure& figure,
     }
     for (int i = 0; i < summary.frames; ++i) {
       if (work.is_stopped()) return fail(ErrorCode::kCancelled, "{}: was stopped", path.string());
-      figure.show_at(from_s + i * step_s);
+      figure.show_at(std::min(from_s + i * step_s, to_s));
       auto pixels = draw_pixels(figure, context);
       if (!pixels) return forward_error(pixels);
       writer.write(frame_of(*pixels, size));

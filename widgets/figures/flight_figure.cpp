@@ -61,11 +61,21 @@ class MapAndCharts : public TimedFigure {
     return {};
   }
 
+  /// Of runs of other flights than the first, whose odometry is not on the map.
+  [[nodiscard]] bool is_odometry(const LegendEntry& entry) const {
+    return runs().size() > 1 && entry.name.rfind("odometry (input) of ", 0) == 0;
+  }
+
   /// Lines of charts have the names and colours of those on the map, but for the bands.
   [[nodiscard]] std::vector<LegendEntry> legend(const Theme& theme, const ChartGrid& charts) const {
     std::vector<LegendEntry> entries = run_legend(runs(), options(), theme);
     for (const LegendEntry& entry : charts.legend()) {
-      if (entry.kind == LegendEntry::Kind::kBand) entries.push_back(entry);
+      const bool is_named =
+          std::any_of(entries.begin(), entries.end(),
+                      [&entry](const LegendEntry& listed) { return listed.name == entry.name; });
+      if (entry.kind == LegendEntry::Kind::kBand || (!is_named && is_odometry(entry))) {
+        entries.push_back(entry);
+      }
     }
     return entries;
   }
@@ -78,15 +88,15 @@ class MapAndCharts : public TimedFigure {
 
 std::vector<CaptionedChart> flight_charts(std::span<const FigureRun> runs, const Theme& theme) {
   const FigureRun& run = runs.front();
-  return {{"(b) east", axis_error_chart(run, PoseAxis::kEast, theme)},
-          {"(c) north", axis_error_chart(run, PoseAxis::kNorth, theme)},
-          {"(d) yaw", axis_error_chart(run, PoseAxis::kYaw, theme)},
-          {"(e) distance", position_error_chart(runs, true, theme)}};
+  return {{"(b) east error", axis_error_chart(run, PoseAxis::kEast, theme)},
+          {"(c) north error", axis_error_chart(run, PoseAxis::kNorth, theme)},
+          {"(d) yaw error", axis_error_chart(run, PoseAxis::kYaw, theme)},
+          {"(e) position error", position_error_chart(runs, true, theme)}};
 }
 
 std::vector<CaptionedChart> compare_charts(std::span<const FigureRun> runs, const Theme& theme) {
-  return {{"(b) position", position_error_chart(runs, false, theme)},
-          {"(c) orientation", orientation_error_chart(runs, false, theme)},
+  return {{"(b) position error", position_error_chart(runs, false, theme)},
+          {"(c) orientation error", orientation_error_chart(runs, false, theme)},
           {"(d) agreement with the map", agreement_chart(runs, theme)},
           {"(e) distribution of position errors", cdf_chart(runs, ErrorKind::kPosition, theme)}};
 }

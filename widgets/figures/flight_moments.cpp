@@ -9,6 +9,13 @@
 
 namespace nadir {
 namespace fs = std::filesystem;
+namespace {
+
+bool has_cloud(const FlightFrame& frame) {
+  return frame.labels.has_value() && frame.depth.has_value();
+}
+
+}  // namespace
 
 Result<fs::path> find_flight_of(const FigureRun& run) {
   const fs::path named = run.reader->header().flight_path;
@@ -34,10 +41,7 @@ Result<FlightMoments> FlightMoments::open(const FigureRun& run) {
   if (auto valid = validate(*description.camera); !valid) {
     return forward_error(valid, path->string());
   }
-  const bool has_clouds = std::any_of(
-      description.frames.begin(), description.frames.end(),
-      [](const FlightFrame& frame) { return frame.labels.has_value() && frame.depth.has_value(); });
-  if (!has_clouds) {
+  if (std::none_of(description.frames.begin(), description.frames.end(), has_cloud)) {
     return fail(ErrorCode::kUnsupported, "{}: no frame has labels and depth", path->string());
   }
   return FlightMoments(std::move(*flight));
@@ -46,17 +50,9 @@ Result<FlightMoments> FlightMoments::open(const FigureRun& run) {
 Result<FlightMoment> FlightMoments::at(double time_s,
                                        double max_depth_m,
                                        int every_nth_pixel) const {
-  constexpr double kNearS = 0.1;
   const FlightDescription& flight = flight_->description();
-  const FlightFrame* nearest = nullptr;
-  for (const FlightFrame& frame : flight.frames) {
-    if (!frame.labels || !frame.depth) continue;
-    if (nearest == nullptr ||
-        std::abs(frame.time_s - time_s) < std::abs(nearest->time_s - time_s)) {
-      nearest = &frame;
-    }
-  }
-  if (nearest == nullptr || std::abs(nearest->time_s - time_s) > kNearS) {
+  const FlightFrame* const nearest = nearest_frame(flight, time_s, has_cloud);
+  if (nearest == nullptr) {
     return fail(ErrorCode::kNotFound, "{}: has no labels and depth at {:.3f} s",
                 flight.path.string(), time_s);
   }
@@ -85,6 +81,22 @@ Result<FlightMoment> FlightMoments::at(double time_s,
     moment.picture = class_picture(frame->labels);
   }
   return moment;
+}
+
+const FlightFrame* nearest_frame(const FlightDescription& flight,
+                                 double time_s,
+                                 bool (*has_what_is_wanted)(const FlightFrame&)) {
+  constexpr double kNearS = 0.1;
+  const FlightFrame* nearest = nullptr;
+  double nearest_s = kNearS;
+  for (const FlightFrame& frame : flight.frames) {
+    const double away_s = std::abs(frame.time_s - time_s);
+    if (!has_what_is_wanted(frame) || !(away_s <= nearest_s)) continue;
+    if (nearest != nullptr && away_s == nearest_s) continue;  // the earlier one
+    nearest = &frame;
+    nearest_s = away_s;
+  }
+  return nearest;
 }
 
 double height_above_ground(const SemanticCloud& cloud) {

@@ -41,6 +41,11 @@ class FlightMoments {
 /// @errors kNotFound, as above.
 [[nodiscard]] Result<std::filesystem::path> find_flight_of(const FigureRun& run);
 
+/// The frame nearest in time of those that have what is wanted; none where none of these is within a tenth of a second.
+[[nodiscard]] const FlightFrame* nearest_frame(const FlightDescription& flight,
+                                               double time_s,
+                                               bool (*has_what_is_wanted)(const FlightFrame&));
+
 /// Height of the body above the ground by the points of a cloud that lie on it: the median of roads, sidewalks, lane markings
 /// and terrain. 0 where there are none.
 [[nodiscard]] double height_above_ground(const SemanticCloud& cloud);

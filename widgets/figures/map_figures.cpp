@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures of a map alone: overhead-pair, route, labels.
+// Figures of a map alone: overhead-pair, labels.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "core/map/class_statistics.h"
 #include "core/map/overhead_map_file.h"
-#include "core/sim/route.h"
+#include "widgets/figures/figure_sources.h"
 #include "widgets/figures/figures.h"
 #include "widgets/figures/map_panel.h"
 #include "widgets/figures/page_layout.h"
@@ -16,7 +14,7 @@
 namespace nadir {
 namespace {
 
-/// Classes that a map holds, by falling share, with the share in words.
+/// Classes that a map holds, by falling share, with the share in words; then what has no class.
 std::vector<LegendEntry> class_legend(const OverheadMap& map, bool with_shares) {
   const ClassStatistics statistics = class_statistics(map.labels);
   std::vector<ClassId> ids;
@@ -33,6 +31,25 @@ std::vector<LegendEntry> class_legend(const OverheadMap& map, bool with_shares) 
     if (with_shares) name += fmt::format(" {:.1f} %", 100.0 * statistics.share_of_all(id));
     entries.push_back({name, class_colour(id), LegendEntry::Kind::kBar});
   }
+  const std::int64_t rest = statistics.all_cells - statistics.classified_cells;
+  if (rest > 0) {
+    std::string name = "unclassified";
+    if (with_shares) {
+      name += fmt::format(" {:.1f} %", 100.0 * static_cast<double>(rest) /
+                                           static_cast<double>(statistics.all_cells));
+    }
+    entries.push_back({name, class_colour(kUnclassified), LegendEntry::Kind::kOutlinedBar});
+  }
+  return entries;
+}
+
+/// Cells without a class are not drawn, so that the page is seen: their sample is of its colour.
+std::vector<LegendEntry> on_page(std::vector<LegendEntry> entries, const PageFormat& format) {
+  for (LegendEntry& entry : entries) {
+    if (entry.kind != LegendEntry::Kind::kOutlinedBar) continue;
+    if (!format.is_transparent) entry.colour = format.colours().page;
+    entry.casing = format.colours().muted;
+  }
   return entries;
 }
 
@@ -43,6 +60,7 @@ std::string provenance_text(const MapProvenance& provenance) {
   return text;
 }
 
+/// Picture and labels side by side; the labels alone where there is no picture to be shown.
 class OverheadPair : public Figure {
  public:
   OverheadPair(std::unique_ptr<MapPanel> picture,
@@ -61,24 +79,31 @@ class OverheadPair : public Figure {
     const PageFormat& format = context.format();
     PageRect rest = page_inside(format);
     draw_foot(canvas, format, rest, foot_);
-    draw_page_legend(canvas, format, rest, legend_);
+    draw_page_legend(canvas, format, rest, on_page(legend_, format));
+    if (!picture_->shows_picture()) return draw_panel(canvas, context, *labels_, "", rest);
     const std::vector<PageRect> panels = arranged(rest, format);
-    const std::array<const char*, 2> captions = {
-        picture_->shows_picture() ? "(a) overhead picture" : "(a) labels, for want of a picture",
-        "(b) labels"};
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (!least_map(format).fits_in(panels[i])) continue;
-      MapPanel& map = i == 0 ? *picture_ : *labels_;
-      PageRect panel = map.part_filled(panels[i], kCaptionPt * format.px_per_pt(), format);
-      draw_caption(canvas, format, panel, captions.at(i));
-      const auto frame = map.draw_ground(canvas, context, panel);
-      if (!frame) return forward_error(frame);
-      map.draw_furniture(canvas, format, *frame);
-    }
-    return {};
+    auto drawn = draw_panel(canvas, context, *picture_, "(a) overhead picture", panels[0]);
+    if (drawn) drawn = draw_panel(canvas, context, *labels_, "(b) labels", panels[1]);
+    return drawn;
   }
 
  private:
+  static Result<void> draw_panel(Canvas& canvas,
+                                 FigureContext& context,
+                                 MapPanel& map,
+                                 const std::string& caption,
+                                 const PageRect& whole) {
+    const PageFormat& format = context.format();
+    if (!least_map(format).fits_in(whole)) return {};
+    const double above_px = caption.empty() ? 0.0 : kCaptionPt * format.px_per_pt();
+    PageRect panel = map.part_filled(whole, above_px, format);
+    if (!caption.empty()) draw_caption(canvas, format, panel, caption);
+    const auto frame = map.draw_ground(canvas, context, panel);
+    if (!frame) return forward_error(frame);
+    map.draw_furniture(canvas, format, *frame);
+    return {};
+  }
+
   /// Beside or below each other, whichever shows the map larger.
   [[nodiscard]] std::vector<PageRect> arranged(const PageRect& whole,
                                                const PageFormat& format) const {
@@ -100,76 +125,6 @@ class OverheadPair : public Figure {
   std::string foot_;
 };
 
-class RouteFigure : public Figure {
- public:
-  RouteFigure(std::unique_ptr<MapPanel> map, Route route, std::string foot)
-      : map_(std::move(map)), route_(std::move(route)), foot_(std::move(foot)) {
-    map_->include(route_.waypoints_in_enu_m);
-  }
-
-  Result<void> draw(Canvas& canvas, FigureContext& context) override {
-    const PageFormat& format = context.format();
-    const Theme& theme = format.colours();
-    PageRect rest = page_inside(format);
-    draw_foot(canvas, format, rest, foot_);
-    if (!least_map(format).fits_in(rest)) return {};
-    const auto frame = map_->draw_ground(canvas, context, rest);
-    if (!frame) return forward_error(frame);
-    canvas.push_clip(frame->where);
-    std::vector<Eigen::Vector2d> points = route_.waypoints_in_enu_m;
-    if (route_.is_closed) points.push_back(points.front());
-    draw_path(canvas, *frame, points, estimate_look(theme));
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      const Eigen::Vector2d way = points[i + 1] - points[i];
-      draw_pose(canvas, *frame,
-                {points[i].x() + way.x() / 2.0, points[i].y() + way.y() / 2.0,
-                 std::atan2(way.y(), way.x())},
-                9.0, estimate_look(theme));
-    }
-    const std::vector<PageRect> plates = draw_waypoints(canvas, *frame, theme);
-    canvas.pop_clip();
-    map_->draw_furniture(canvas, format, *frame, plates);
-    return {};
-  }
-
- private:
-  /// Numbers on plates inside the map; a waypoint whose plate would cover another one is a dot. @returns the plates.
-  [[nodiscard]] std::vector<PageRect> draw_waypoints(Canvas& canvas,
-                                                     const MapFrame& frame,
-                                                     const Theme& theme) const {
-    const double px = frame.px_per_pt;
-    TextStyle style;
-    style.size_px = 9.0 * px;
-    style.is_bold = true;
-    style.colour = theme.text;
-    std::vector<PageRect> plates;
-    for (std::size_t i = 0; i < route_.waypoints_in_enu_m.size(); ++i) {
-      const Eigen::Vector2d& point = route_.waypoints_in_enu_m[i];
-      const std::string& name = route_.waypoint_names[i];
-      const PageRect size = plate_at({0.0, 0.0}, name, style, px);
-      const Eigen::Vector2d half(size.width / 2.0, size.height / 2.0);
-      const Eigen::Vector2d low = Eigen::Vector2d(frame.where.left, frame.where.bottom) + half;
-      const Eigen::Vector2d high = Eigen::Vector2d(frame.where.right(), frame.where.top()) - half;
-      // A waypoint on the way between two that have a name has none.
-      const bool has_room = !name.empty() && (low.array() <= high.array()).all();
-      const Eigen::Vector2d at = frame.page(point).cwiseMax(low).cwiseMin(high);
-      const PageRect plate = plate_at(at, name, style, px);
-      const auto covers = [&plate](const PageRect& other) { return overlap(plate, other); };
-      if (!has_room || std::any_of(plates.begin(), plates.end(), covers)) {
-        draw_path_mark(canvas, frame, PathMark::kStart, point, 0.0, estimate_look(theme));
-        continue;
-      }
-      draw_plate(canvas, at, name, style, with_opacity(theme.page, 0.9), px);
-      plates.push_back(plate);
-    }
-    return plates;
-  }
-
-  std::unique_ptr<MapPanel> map_;
-  Route route_;
-  std::string foot_;
-};
-
 class LabelsFigure : public Figure {
  public:
   LabelsFigure(std::unique_ptr<MapPanel> map, std::vector<LegendEntry> legend, std::string foot)
@@ -181,7 +136,7 @@ class LabelsFigure : public Figure {
     const PageFormat& format = context.format();
     PageRect rest = page_inside(format);
     draw_foot(canvas, format, rest, foot_);
-    draw_page_legend(canvas, format, rest, legend_);
+    draw_page_legend(canvas, format, rest, on_page(legend_, format));
     if (!least_map(format).fits_in(rest)) return {};
     const auto frame = map_->draw_ground(canvas, context, map_->part_filled(rest, 0.0, format));
     if (!frame) return forward_error(frame);
@@ -207,8 +162,13 @@ Result<std::unique_ptr<Figure>> make_overhead_pair(
   if (!picture) return forward_error(picture);
   auto labels = MapPanel::create(inputs.map, MapPanel::Ground::kLabels, inputs.options);
   if (!labels) return forward_error(labels);
+  std::string foot = provenance_text(*provenance);
+  if (!(*picture)->shows_picture()) {
+    const bool is_wanted = inputs.options.layers.has(FigureLayer::kPicture);
+    foot += is_wanted ? " · the map has no picture" : " · without its picture, as asked";
+  }
   return std::make_unique<OverheadPair>(std::move(*picture), std::move(*labels),
-                                        class_legend(*map, false), provenance_text(*provenance));
+                                        class_legend(*map, false), foot);
 }
 
 Result<std::unique_ptr<Figure>> make_labels(
@@ -219,28 +179,11 @@ Result<std::unique_ptr<Figure>> make_labels(
   if (!provenance) return forward_error(provenance);
   auto panel = MapPanel::create(inputs.map, MapPanel::Ground::kLabels, inputs.options);
   if (!panel) return forward_error(panel);
+  const std::string shares = inputs.options.crop_width_m > 0.0
+                                 ? " · shares are of the whole map, not of the part shown"
+                                 : " · share of all cells";
   return std::make_unique<LabelsFigure>(std::move(*panel), class_legend(*map, true),
-                                        provenance_text(*provenance) + " · share of all cells");
-}
-
-Result<std::unique_ptr<Figure>> make_route(
-    FigureInputs inputs) {  // NOLINT(performance-unnecessary-value-param): as all
-  const std::filesystem::path file =
-      inputs.route.empty() ? inputs.map / "routes" / "loop.toml" : inputs.route;
-  auto route = read_route(file);
-  if (!route) return forward_error(route);
-  auto panel = MapPanel::create(inputs.map, MapPanel::Ground::kPicture, inputs.options);
-  if (!panel) return forward_error(panel);
-  double length_m = 0.0;
-  const auto& points = route->waypoints_in_enu_m;
-  for (std::size_t i = 0; i + 1 < points.size() + (route->is_closed ? 1U : 0U); ++i) {
-    length_m += (points[(i + 1) % points.size()] - points[i]).norm();
-  }
-  const std::string foot = fmt::format(
-      "{}: {:.0f} m{}, {:g} m above ground, at most {:g} m/s", route->name, length_m * route->laps,
-      route->laps > 1 ? fmt::format(" in {} laps", route->laps) : std::string(), route->altitude_m,
-      route->speed_mps);
-  return std::make_unique<RouteFigure>(std::move(*panel), std::move(*route), foot);
+                                        provenance_text(*provenance) + shares);
 }
 
 }  // namespace nadir

@@ -77,6 +77,11 @@ void MapPanel::include(std::span<const Eigen::Vector2d> points_in_enu_m) {
 
 void MapPanel::include_map() { shown_.extend(bounds_); }
 
+void MapPanel::fade_labels() {
+  constexpr double kFaded = 0.35;
+  if (!shows_picture_ && !layers_.empty()) layers_.back()->set_opacity(kFaded);
+}
+
 void MapPanel::show_square(const Eigen::Vector2d& centre_in_enu_m, double side_m) {
   if (!centre_in_enu_m.allFinite()) {
     shown_ = bounds_;
@@ -135,8 +140,9 @@ PageRect MapPanel::part_filled(const PageRect& panel,
 }
 
 Result<void> MapPanel::render(FigureContext& context, const GroundState& wanted) {
-  const bool is_where_it_was = !pixels_.empty() && drawn_ == wanted;
+  const bool is_where_it_was = drawn_ == wanted;
   if (is_where_it_was && content_stamp_ == stamp_of(scene_.renderer())) return {};
+  drawn_.reset();  // for after a fault below other tiles are shown than those of the pixels
   MapCamera close = wanted.camera;  // tiles as fine as the supersampled pixels
   close.metres_per_px /= wanted.supersampling;
   // Tiles are shown and hidden by this, which is a change for VTK, so only where others may be in sight.

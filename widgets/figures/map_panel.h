@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "core/geo/project_plane.h"
@@ -35,6 +36,8 @@ class MapPanel {
   /// What the panel has to show, enu metres; the crop of the options wins over it. Points that are not finite do not count.
   void include(std::span<const Eigen::Vector2d> points_in_enu_m);
   void include_map();
+  /// Where the ground is labels: makes them pale, so that cells laid over them can be told from them.
+  void fade_labels();
   /// Forgets what was included before: a map that goes with the vehicle shows only what is around it. The
   /// whole map where the centre is not finite.
   void show_square(const Eigen::Vector2d& centre_in_enu_m, double side_m);
@@ -85,9 +88,9 @@ class MapPanel {
   Eigen::AlignedBox2d shown_;
   MapScene scene_;
   std::vector<std::unique_ptr<OverheadView>> layers_;
-  GroundState drawn_;                ///< What pixels_ show, with ...
-  std::uint64_t content_stamp_ = 0;  ///< ... what then lay in the scene.
-  Raster<Rgba> pixels_;              ///< Empty before the first drawing.
+  std::optional<GroundState> drawn_;  ///< What pixels_ show, if anything, with ...
+  std::uint64_t content_stamp_ = 0;   ///< ... what then lay in the scene.
+  Raster<Rgba> pixels_;
 };
 
 /// Line colours that fit the ground: with a casing over imagery.

@@ -6,12 +6,12 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/angle.h"
 #include "core/map/overhead_map_file.h"
 #include "widgets/figures/chart_panel.h"
 #include "widgets/figures/moment_panels.h"
 #include "widgets/figures/page_layout.h"
 #include "widgets/figures/run_lines.h"
+#include "widgets/figures/run_on_map.h"
 #include "widgets/figures/timed_figure.h"
 #include "widgets/views/agreement_view.h"
 #include "widgets/views/mode_marks.h"
@@ -24,26 +24,17 @@ namespace {
 
 constexpr double kGapPt = 10.0;
 
-/// "62 %, 31 % and 2 more"
-std::string masses_of(const std::vector<PoseMode>& modes) {
-  constexpr std::size_t kMostNamed = 4;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(modes.size(), kMostNamed); ++i) {
-    text += fmt::format("{}{:.0f} %", i > 0 ? ", " : "", 100.0 * modes[i].mass);
-  }
-  if (modes.size() > kMostNamed) text += fmt::format(" and {} more", modes.size() - kMostNamed);
-  return text;
-}
-
 class Moment : public TimedFigure {
  public:
   Moment(std::unique_ptr<MapPanel> map, OverheadMap labels, FigureInputs inputs)
       : TimedFigure(std::move(inputs)),
         map_(std::move(map)),
         labels_(std::move(labels)),
-        camera_(run().reader->header().flight_path),
+        camera_(run()),
         particles_(map_->scene()),
-        topview_(map_->scene(), MapLayer::kTopview) {}
+        topview_(map_->scene(), MapLayer::kTopview) {
+    map_->fade_labels();
+  }
 
   Result<void> draw(Canvas& canvas, FigureContext& context) override {
     if (auto read = read_shown_step(); !read) return read;
@@ -96,10 +87,12 @@ class Moment : public TimedFigure {
     constexpr double kLeastSideM = 50.0;
     const Eigen::Vector2d centre = step.estimate.moments.mean.translation_m();
     const Eigen::Matrix3d& covariance = step.estimate.moments.covariance;
-    double reach_m = 3.0 * std::sqrt(covariance(0, 0) + covariance(1, 1));
-    if (step.truth_in_enu) {
-      reach_m = std::max(reach_m, (step.truth_in_enu->translation_m() - centre).norm());
-    }
+    double reach_m = 0.0;
+    const auto reach = [&reach_m](double length_m) {
+      if (std::isfinite(length_m)) reach_m = std::max(reach_m, length_m);
+    };
+    reach(3.0 * std::sqrt(covariance(0, 0) + covariance(1, 1)));
+    if (step.truth_in_enu) reach((step.truth_in_enu->translation_m() - centre).norm());
     const Eigen::Vector2d size_m = map_->map_bounds_in_enu_m().sizes();
     map_->show_square(centre, std::min(std::max(kLeastSideM, 2.5 * reach_m), size_m.maxCoeff()));
     const bool has_particles = shows_particles(step);
@@ -218,8 +211,9 @@ class Moment : public TimedFigure {
     const std::string caption = "(g) cells that agree with the map, by class seen";
     if (!bars) {
       draw_caption(canvas, format, panel, caption);
+      const auto unlike = step_->topview ? unlike_cells(*step_->topview, labels_) : std::nullopt;
       draw_message(canvas, format, panel,
-                   "no cell of the topview lies on ground that the map knows");
+                   unlike.value_or("no cell of the topview lies on ground that the map knows"));
       return;
     }
     if (!bars_) bars_.emplace(std::vector<CaptionedChart>{{caption, *bars}}, 1);
@@ -230,8 +224,13 @@ class Moment : public TimedFigure {
                                                 const RunStep& step,
                                                 bool has_bars) const {
     std::vector<LegendEntry> entries = source_legend(run(), options(), theme);
-    if (options().layers.has(FigureLayer::kEllipses) && !step.estimate.modes.empty()) {
-      entries.push_back(ellipse_legend("ellipses: 1, 2 and 3 sigma of the particles", 1, theme));
+    const auto has_ellipses = [](const PoseMode& mode) {
+      return mode.moments.covariance.topLeftCorner<2, 2>().allFinite();
+    };
+    const std::span<const PoseMode> modes = shown_modes(step);
+    if (options().layers.has(FigureLayer::kEllipses) &&
+        std::any_of(modes.begin(), modes.end(), has_ellipses)) {
+      entries.push_back(ellipse_legend("ellipses: 1, 2 and 3 sigma", 1, theme));
     }
     if (shows_particles(step)) entries.push_back(particle_legend());
     entries.insert(entries.end(), classes_.begin(), classes_.end());
@@ -250,24 +249,8 @@ class Moment : public TimedFigure {
   }
 
   [[nodiscard]] std::string words(const RunStep& step) const {
-    const PoseMoments& moments = step.estimate.moments;
-    std::string text = fmt::format("{:.1f} s after the start", run().elapsed_s(step));
-    if (step.truth_in_enu) {
-      const double error_m =
-          (moments.mean.translation_m() - step.truth_in_enu->translation_m()).norm();
-      text += fmt::format(", {:.2f} m from the truth", error_m);
-    }
-    text += fmt::format(" · spread of the particles {:.2f} m and {:.1f} deg (standard deviations)",
-                        std::sqrt(moments.covariance(0, 0) + moments.covariance(1, 1)),
-                        Angle::radians(std::sqrt(moments.covariance(2, 2))).degrees());
-    const std::vector<PoseMode>& modes = step.estimate.modes;
-    if (modes.size() == 1) text += " · 1 mode";
-    if (modes.size() > 1) {
-      text += fmt::format(" · {} modes with {} of the mass", modes.size(), masses_of(modes));
-    }
-    text += fmt::format(" · effective sample size {:.0f} of {} particles",
-                        step.effective_sample_size, step.particle_count);
-    return text + " · " + foot_of(run());
+    return fmt::format("{:.1f} s after the start{} · {}", run().elapsed_s(step), belief_words(step),
+                       foot_of(run()));
   }
 
   std::unique_ptr<MapPanel> map_;  ///< Before the views, which lie in its scene.

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/figures/moment_panels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bitset>
 #include <cmath>
 
+#include "core/base/angle.h"
 #include "core/flight/colour_image.h"
 #include "core/mcl/map_patch.h"
+#include "widgets/figures/flight_moments.h"
 #include "widgets/figures/page_layout.h"
+#include "widgets/figures/run_on_map.h"
 #include "widgets/views/agreement_view.h"
 #include "widgets/views/raster_pictures.h"
 
@@ -48,10 +53,26 @@ const PatchCaptions& captions_for(double width_px, const PageFormat& format) {
   return fits ? kLong : kShort;
 }
 
+/// "62 %, 31 % and 2 more"
+std::string masses_of(const std::vector<PoseMode>& modes) {
+  constexpr std::size_t kMostNamed = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(modes.size(), kMostNamed); ++i) {
+    text += fmt::format("{}{:.0f} %", i > 0 ? ", " : "", 100.0 * modes[i].mass);
+  }
+  if (modes.size() > kMostNamed) text += fmt::format(" and {} more", modes.size() - kMostNamed);
+  return text;
+}
+
 }  // namespace
 
-CameraPictures::CameraPictures(const std::filesystem::path& flight) {
-  auto opened = open_flight(flight);
+CameraPictures::CameraPictures(const FigureRun& run) {
+  const auto path = find_flight_of(run);
+  if (!path) {
+    why_not_ = fmt::format("the flight {} is not there", run.reader->header().flight_path);
+    return;
+  }
+  auto opened = open_flight(*path);
   if (opened) {
     flight_ = std::move(*opened);
   } else {
@@ -61,15 +82,14 @@ CameraPictures::CameraPictures(const std::filesystem::path& flight) {
 
 Result<const Raster<Rgba>*> CameraPictures::at(double time_s) {
   if (!flight_) return fail(ErrorCode::kNotFound, "no camera image: {}", why_not_);
-  const FlightFrame* nearest = nullptr;
-  for (const FlightFrame& frame : flight_->description().frames) {
-    if (!frame.image) continue;
-    if (nearest == nullptr ||
-        std::abs(frame.time_s - time_s) < std::abs(nearest->time_s - time_s)) {
-      nearest = &frame;
-    }
+  const auto has_image = [](const FlightFrame& frame) { return frame.image.has_value(); };
+  const FlightDescription& flight = flight_->description();
+  const FlightFrame* const nearest = nearest_frame(flight, time_s, has_image);
+  if (nearest == nullptr) {
+    return std::any_of(flight.frames.begin(), flight.frames.end(), has_image)
+               ? fail(ErrorCode::kNotFound, "the flight holds no camera image of this moment")
+               : fail(ErrorCode::kNotFound, "the flight holds no camera images");
   }
-  if (nearest == nullptr) return fail(ErrorCode::kNotFound, "the flight holds no camera images");
   if (shown_file_ != *nearest->image) {
     const auto read = read_colour_image(*nearest->image);
     if (!read) return forward_error(read);
@@ -81,6 +101,7 @@ Result<const Raster<Rgba>*> CameraPictures::at(double time_s) {
 
 std::optional<MomentAgreement> moment_agreement(const RunStep& step, const OverheadMap& map) {
   if (!step.topview || step.topview->cells.empty()) return std::nullopt;
+  if (unlike_cells(*step.topview, map)) return std::nullopt;
   MomentAgreement made{cell_agreement(*step.topview, map, step.estimate.moments.mean), {}};
   if (step.truth_in_enu) made.at_truth = cell_agreement(*step.topview, map, *step.truth_in_enu);
   return made;
@@ -93,8 +114,10 @@ void draw_patches(Canvas& canvas,
                   const OverheadMap& map,
                   const std::optional<MomentAgreement>& agreement) {
   if (!agreement) {
-    draw_message(canvas, format, panel,
-                 step.topview ? "the topview has no cells" : "the run holds no topviews");
+    const auto unlike = step.topview ? unlike_cells(*step.topview, map) : std::nullopt;
+    draw_message(
+        canvas, format, panel,
+        !step.topview ? "the run holds no topviews" : unlike.value_or("the topview has no cells"));
     return;
   }
   const TopviewRaster seen = topview_raster(*step.topview);
@@ -146,8 +169,10 @@ std::vector<LegendEntry> patch_legend(const RunStep& step, const OverheadMap& ma
     for (const ClassId id : labels.values()) present.set(id);
   };
   add(seen.labels);
+  const bool has_patches = !unlike_cells(*step.topview, map).has_value();
   for (const Source source : {Source::kEstimate, Source::kTruth}) {
-    if (const auto pose = pose_of(step, source)) add(map_patch(map, *pose, seen));
+    const auto pose = pose_of(step, source);
+    if (pose && has_patches) add(map_patch(map, *pose, seen));
   }
   std::vector<LegendEntry> entries;
   for (ClassId id = 0; id < kClassCount; ++id) {
@@ -156,6 +181,31 @@ std::vector<LegendEntry> patch_legend(const RunStep& step, const OverheadMap& ma
         {std::string(class_info(id).name), class_colour(id), LegendEntry::Kind::kBar});
   }
   return entries;
+}
+
+std::string belief_words(const RunStep& step) {
+  const PoseMoments& moments = step.estimate.moments;
+  std::string text;
+  if (step.truth_in_enu && is_finite(moments.mean)) {
+    text += fmt::format(", {:.2f} m from the truth",
+                        (moments.mean.translation_m() - step.truth_in_enu->translation_m()).norm());
+  }
+  const double spread_m = std::sqrt(moments.covariance(0, 0) + moments.covariance(1, 1));
+  const double spread_deg = Angle::radians(std::sqrt(moments.covariance(2, 2))).degrees();
+  if (std::isfinite(spread_m) && std::isfinite(spread_deg)) {
+    text += fmt::format(" · spread of the particles {:.2f} m and {:.1f} deg (standard deviations)",
+                        spread_m, spread_deg);
+  }
+  const std::vector<PoseMode>& modes = step.estimate.modes;
+  if (modes.size() == 1) text += " · 1 mode";
+  if (modes.size() > 1) {
+    text += fmt::format(" · {} modes with {} of the mass", modes.size(), masses_of(modes));
+  }
+  const double size = step.effective_sample_size;
+  return text + (std::isfinite(size)
+                     ? fmt::format(" · effective sample size {:.0f} of {} particles", size,
+                                   step.particle_count)
+                     : fmt::format(" · {} particles", step.particle_count));
 }
 
 }  // namespace nadir

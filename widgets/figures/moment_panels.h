@@ -16,11 +16,11 @@ namespace nadir {
 
 /// The panels of figure 'moment' beside its map.
 
-/// The camera's pictures of a run's flight, where they are still there.
+/// The camera's pictures of a run's flight, where they are still there or beside the run.
 class CameraPictures {
  public:
-  explicit CameraPictures(const std::filesystem::path& flight);
-  /// The picture nearest in time; read once while the nearest stays the same. @errors what to say in its place.
+  explicit CameraPictures(const FigureRun& run);
+  /// The picture of that time, as nearest_frame(); read once while it stays the same. @errors what to say in its place.
   [[nodiscard]] Result<const Raster<Rgba>*> at(double time_s);
 
  private:
@@ -35,7 +35,7 @@ struct MomentAgreement {
   CellAgreement at_estimate;
   std::optional<CellAgreement> at_truth;
 };
-/// Nothing for a step without topview cells.
+/// Nothing for a step without topview cells, or with cells of another size than the map's.
 [[nodiscard]] std::optional<MomentAgreement> moment_agreement(const RunStep& step,
                                                               const OverheadMap& map);
 
@@ -54,5 +54,9 @@ void draw_patches(Canvas& canvas,
 
 /// Classes of the topview and of the map under it.
 [[nodiscard]] std::vector<LegendEntry> patch_legend(const RunStep& step, const OverheadMap& map);
+
+/// ", 0.21 m from the truth · spread ... · 1 mode · effective sample size 60 of 100 particles": what a step says of the
+/// filter's belief, without what the run does not know.
+[[nodiscard]] std::string belief_words(const RunStep& step);
 
 }  // namespace nadir

@@ -2,84 +2,22 @@
 // Every topview at its pose over the overhead: by the odometry, by the estimate, by the truth (thesis 4-12, 4-13).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <bitset>
 #include <cmath>
 #include <optional>
 
 #include "core/map/class_statistics.h"
 #include "core/map/overhead_map_file.h"
-#include "core/mcl/cell_agreement.h"
-#include "core/topview/semantic_reconstruction.h"
 #include "widgets/figures/chart_panel.h"
 #include "widgets/figures/page_layout.h"
+#include "widgets/figures/reconstruction_side.h"
 #include "widgets/figures/run_lines.h"
+#include "widgets/figures/run_on_map.h"
 #include "widgets/figures/timed_figure.h"
-#include "widgets/views/raster_pictures.h"
-#include "widgets/views/raster_view.h"
 
 namespace nadir {
 namespace {
-
-using ClassCounts = std::array<CellAgreement::Count, kClassCount>;
-
-/// One side of the figure: a map with what has been seen so far laid on it.
-class Side {
- public:
-  Side(std::unique_ptr<MapPanel> map, Source source, double metres_per_cell)
-      : map_(std::move(map)),
-        source_(source),
-        seen_(metres_per_cell),
-        view_(map_->scene(), MapLayer::kReconstruction) {
-    view_.set_visible(false);
-  }
-
-  void clear() {
-    seen_ = SemanticReconstruction(seen_.metres_per_cell());
-    counts_ = {};
-    is_changed_ = true;
-  }
-
-  void add(const RunStep& step, const OverheadMap& labels) {
-    const auto pose = pose_of(step, source_);
-    if (!pose || !step.topview) return;
-    seen_.add(*step.topview, *pose);
-    const CellAgreement agreement = cell_agreement(*step.topview, labels, *pose);
-    for (ClassId id = 0; id < kClassCount; ++id) {
-      counts_.at(id).agreeing += agreement.of_class.at(id).agreeing;
-      counts_.at(id).disagreeing += agreement.of_class.at(id).disagreeing;
-      counts_.at(id).unknown += agreement.of_class.at(id).unknown;
-    }
-    is_changed_ = true;
-  }
-
-  /// Uploads what has been added. @errors as SemanticReconstruction::labels.
-  Result<void> refresh() {
-    if (!is_changed_) return {};
-    is_changed_ = false;
-    view_.set_visible(!seen_.empty());
-    if (seen_.empty()) return {};
-    const auto labels = seen_.labels();
-    if (!labels) return forward_error(labels);
-    const Eigen::Vector2d corner = seen_.top_left_in_enu_m();
-    view_.show(class_picture(*labels), {corner.x(), corner.y(), 0.0},
-               Eigen::Vector2d::Constant(seen_.metres_per_cell()), false);
-    return {};
-  }
-
-  [[nodiscard]] MapPanel& map() { return *map_; }
-  [[nodiscard]] Source source() const { return source_; }
-  /// Of all cells of all topviews so far.
-  [[nodiscard]] const ClassCounts& counts() const { return counts_; }
-
- private:
-  std::unique_ptr<MapPanel> map_;  ///< Before the view, which lies in its scene.
-  Source source_;
-  SemanticReconstruction seen_;
-  RasterView view_;
-  ClassCounts counts_{};
-  bool is_changed_ = false;
-};
 
 const char* name_of(Source source) {
   constexpr std::array<const char*, 3> kNames = {"truth", "odometry", "estimate"};
@@ -88,9 +26,13 @@ const char* name_of(Source source) {
 
 class Reconstruction : public TimedFigure {
  public:
-  Reconstruction(std::vector<std::unique_ptr<Side>> sides, OverheadMap labels, FigureInputs inputs)
+  Reconstruction(std::vector<std::unique_ptr<ReconstructionSide>> sides,
+                 double seen_cell_m,
+                 OverheadMap labels,
+                 FigureInputs inputs)
       : TimedFigure(std::move(inputs)),
         sides_(std::move(sides)),
+        seen_cell_m_(seen_cell_m),
         labels_(std::move(labels)),
         held_(class_statistics(labels_.labels)) {
     for (const auto& side : sides_) include_run(side->map(), run());
@@ -101,8 +43,8 @@ class Reconstruction : public TimedFigure {
     const PageFormat& format = context.format();
     PageRect rest = page_inside(format);
     draw_foot(canvas, format, rest,
-              fmt::format("{} topview{}, the class with most votes per cell · {}", topviews_,
-                          topviews_ == 1 ? "" : "s", foot_of(run())));
+              fmt::format("{} topview{}, the class with most votes per cell{} · {}", topviews_,
+                          topviews_ == 1 ? "" : "s", coarseness(), foot_of(run())));
     draw_page_legend(canvas, format, rest, legend(format.colours()));
     const std::vector<PageRect> panels = arranged(rest, format);
     for (std::size_t i = 0; i < sides_.size(); ++i) {
@@ -115,7 +57,8 @@ class Reconstruction : public TimedFigure {
          disagreement(format.colours())}};
     if (charts.front().chart.bars->groups.empty()) {
       draw_caption(canvas, format, last, charts.front().caption);
-      draw_message(canvas, format, last, "no cell seen lies on ground that the map knows");
+      draw_message(canvas, format, last,
+                   unlike_.value_or("no cell seen lies on ground that the map knows"));
     } else {
       draw_charts(canvas, format, last, charts, 1);
     }
@@ -123,6 +66,12 @@ class Reconstruction : public TimedFigure {
   }
 
  private:
+  /// " of 0.5 m" where cells are larger than what was seen; a run has one size of topview cells.
+  [[nodiscard]] std::string coarseness() const {
+    const double cell_m = sides_.front()->metres_per_cell();
+    return cell_m > seen_cell_m_ ? fmt::format(" of {} m", cell_m) : std::string();
+  }
+
   static char letter(std::size_t panel) { return static_cast<char>('a' + panel); }
 
   /// Two panels in each row, or one where the page is narrow; the chart is the last one.
@@ -153,7 +102,7 @@ class Reconstruction : public TimedFigure {
                          std::size_t number) {
     const PageFormat& format = context.format();
     if (!least_map(format).fits_in(panel)) return {};
-    Side& side = *sides_.at(number);
+    ReconstructionSide& side = *sides_.at(number);
     draw_caption(canvas, format, panel,
                  fmt::format("({}) topviews by {}", letter(number), name_of(side.source())));
     const auto frame = side.map().draw_ground(canvas, context, panel);
@@ -163,7 +112,10 @@ class Reconstruction : public TimedFigure {
       if (!options().layers.has(layer_of(line))) continue;
       std::vector<Eigen::Vector2d> path = path_of(run(), line);
       path.resize(added_);
-      draw_path(canvas, *frame, path, look_of(line, format.colours()));
+      PathLook look = look_of(line, format.colours());
+      look.width_pt = 0.7;  // what was seen beside the path is narrow on a large map
+      look.casing_pt = 0.25;
+      draw_path(canvas, *frame, path, look);
       if (line == side.source()) break;
     }
     canvas.pop_clip();
@@ -182,8 +134,14 @@ class Reconstruction : public TimedFigure {
     for (; added_ < wanted; ++added_) {
       const auto step = run().reader->step(run().steps[added_].step);
       if (!step) return forward_error(step);
-      if (step->topview) ++topviews_;
-      for (const auto& side : sides_) side->add(*step, labels_);
+      if (step->topview) {
+        ++topviews_;
+        unlike_ = unlike_cells(*step->topview, labels_);
+      }
+      for (const auto& side : sides_) {
+        auto added = side->add(*step, labels_);
+        if (!added) return forward_error(added, run().path.string());
+      }
     }
     for (const auto& side : sides_) {
       if (auto refreshed = side->refresh(); !refreshed) return refreshed;
@@ -233,7 +191,7 @@ class Reconstruction : public TimedFigure {
 
   [[nodiscard]] std::vector<LegendEntry> legend(const Theme& theme) const {
     std::vector<LegendEntry> entries = source_legend(run(), options(), theme);
-    const ClassCounts& counts = sides_.front()->counts();
+    const ReconstructionSide::ClassCounts& counts = sides_.front()->counts();
     for (ClassId id = 0; id < kClassCount; ++id) {
       const CellAgreement::Count& count = counts.at(id);
       if (count.agreeing + count.disagreeing + count.unknown == 0) continue;
@@ -248,7 +206,9 @@ class Reconstruction : public TimedFigure {
   }
 
   static constexpr double kGapPt = 10.0;
-  std::vector<std::unique_ptr<Side>> sides_;
+  std::vector<std::unique_ptr<ReconstructionSide>> sides_;
+  double seen_cell_m_;
+  std::optional<std::string> unlike_;  ///< Why cells were not compared with the map.
   OverheadMap labels_;
   ClassStatistics held_;      ///< By the map.
   std::size_t added_ = 0;     ///< Steps that the sides hold.
@@ -271,17 +231,26 @@ Result<std::unique_ptr<Figure>> make_reconstruction(FigureInputs inputs) {
   }
   auto labels = read_overhead_map(inputs.map);
   if (!labels) return forward_error(labels);
-  std::vector<std::unique_ptr<Side>> sides;
-  for (const Source source : {Source::kOdometry, Source::kEstimate, Source::kTruth}) {
+  constexpr std::array kSources = {Source::kOdometry, Source::kEstimate, Source::kTruth};
+  PoseReach reach;
+  for (const RunStep& step : run.steps) {
+    for (const Source source : kSources) {
+      if (const auto pose = pose_of(step, source)) reach.include(pose->translation_m());
+    }
+  }
+  const double cell_m = reconstruction_cell_m(reach, *metres_per_cell);
+  std::vector<std::unique_ptr<ReconstructionSide>> sides;
+  for (const Source source : kSources) {
     const bool is_known =
         std::any_of(run.steps.begin(), run.steps.end(),
                     [source](const RunStep& step) { return pose_of(step, source).has_value(); });
     if (!is_known && source != Source::kEstimate) continue;
     auto panel = MapPanel::create(inputs.map, MapPanel::Ground::kPicture, inputs.options);
     if (!panel) return forward_error(panel);
-    sides.push_back(std::make_unique<Side>(std::move(*panel), source, *metres_per_cell));
+    sides.push_back(std::make_unique<ReconstructionSide>(std::move(*panel), source, cell_m));
   }
-  return std::make_unique<Reconstruction>(std::move(sides), std::move(*labels), std::move(inputs));
+  return std::make_unique<Reconstruction>(std::move(sides), *metres_per_cell, std::move(*labels),
+                                          std::move(inputs));
 }
 
 }  // namespace nadir

@@ -2,6 +2,7 @@
 #include "widgets/figures/report.h"
 
 #include <array>
+#include <optional>
 
 #include "core/base/staged_output.h"
 #include "core/eval/report.h"
@@ -41,6 +42,14 @@ class ReportPainter {
       files.emplace_back(ending, std::move(*bytes));
     }
     return files;
+  }
+
+  /// Why this machine draws no maps, where a figure failed for that.
+  [[nodiscard]] std::optional<std::string> no_graphics(const Error& fault) {
+    if (fault.code != ErrorCode::kUnsupported) return std::nullopt;
+    const auto renderer = context_.renderer();
+    if (renderer) return std::nullopt;
+    return renderer.error().message;
   }
 
   [[nodiscard]] Result<void> write(
@@ -89,6 +98,7 @@ Result<ReportSummary> write_report(const ReportRequest& request,
   ReportSummary summary;
   summary.left_out = std::move(plan.left_out);
   ReportPainter painter(sources, staged->path(), work);
+  std::string blind, reason;  // figures that need OpenGL, and why there is none
   std::vector<PlannedFigure> drawn;
   for (std::size_t i = 0; i < plan.figures.size(); ++i) {
     const PlannedFigure& planned = plan.figures[i];
@@ -98,6 +108,11 @@ Result<ReportSummary> write_report(const ReportRequest& request,
     const auto files = painter.draw(planned);
     if (!files && files.error().code == ErrorCode::kCancelled) return forward_error(files);
     if (!files) {
+      if (const auto why = painter.no_graphics(files.error())) {
+        blind += (blind.empty() ? "" : ", ") + planned.file;
+        reason = *why;
+        continue;
+      }
       summary.left_out.push_back(planned.file + ": " + files.error().message);
       continue;
     }
@@ -105,9 +120,14 @@ Result<ReportSummary> write_report(const ReportRequest& request,
     drawn.push_back(planned);
   }
   summary.figures = static_cast<int>(drawn.size());
+  std::vector<std::string> missing = summary.left_out;
+  if (!blind.empty()) {
+    summary.without_graphics = "no OpenGL for " + blind + ": " + reason;
+    missing.push_back(summary.without_graphics);
+  }
   std::vector<RunEvaluation> evaluations;
   for (const FigureRun& run : *runs) evaluations.push_back(run.evaluation);
-  const std::string page = report_page({*runs, drawn, summary.left_out, request.options.theme});
+  const std::string page = report_page({*runs, drawn, missing, request.options.theme});
   for (const auto& [name, text] :
        {std::pair<const char*, std::string>(kIndexFile, page),
         std::pair<const char*, std::string>("table.txt", report_as_text(evaluations))}) {

@@ -30,7 +30,11 @@ std::string cells_of(const std::array<std::optional<double>, kErrorColumns>& val
   return text;
 }
 
-std::array<std::optional<double>, kErrorColumns> errors_of(const PoseErrorSummary& summary) {
+/// All unknown without a summary.
+std::array<std::optional<double>, kErrorColumns> errors_of(
+    const std::optional<PoseErrorSummary>& known) {
+  if (!known) return {};
+  const PoseErrorSummary& summary = *known;
   const auto degrees = [](double radians) { return Angle::radians(radians).degrees(); };
   const ErrorStatistics& position = summary.position_m;
   const ErrorStatistics& orientation = summary.orientation_rad;
@@ -53,18 +57,20 @@ std::string consistency_cells(const RunEvaluation& evaluation) {
 
 std::string rows_of(const FigureRun& run) {
   const RunEvaluation& evaluation = run.evaluation;
-  if (!evaluation.estimate || !evaluation.odometry) {
+  if (!evaluation.estimate) {
     return fmt::format(
         "<tbody>\n<tr><th scope=\"row\">{}</th><td colspan=\"{}\">its truth is not known, so there "
         "are no errors</td></tr>\n</tbody>\n",
         markup_text(run.name), kErrorColumns + 4);
   }
-  const auto odometry = errors_of(*evaluation.odometry);
-  const auto estimate = errors_of(*evaluation.estimate);
+  const auto odometry = errors_of(evaluation.odometry);
+  const auto estimate = errors_of(evaluation.estimate);
   std::array<std::optional<double>, kErrorColumns> ratio;
   constexpr std::size_t kRecall = 4;  // of shares a ratio says nothing
   for (std::size_t i = 0; i < ratio.size(); ++i) {
-    if (i != kRecall && *odometry.at(i) > 0.0) ratio.at(i) = *estimate.at(i) / *odometry.at(i);
+    const auto& of_odometry = odometry.at(i);
+    if (i != kRecall && of_odometry && *of_odometry > 0.0)
+      ratio.at(i) = *estimate.at(i) / *of_odometry;
   }
   constexpr std::array<int, kErrorColumns> kDecimals = {2, 2, 2, 2, 1, 2, 2, 2};
   constexpr std::array<int, kErrorColumns> kRatioDecimals = {3, 3, 3, 3, 3, 3, 3, 3};

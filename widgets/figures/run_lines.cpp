@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/views/particle_view.h"
+
 namespace nadir {
 namespace {
 
@@ -18,9 +20,9 @@ std::vector<std::size_t> spaced(const FigureRun& run, std::size_t count, double 
   double next_s = -1.0;
   for (std::size_t i = 0; i < count; ++i) {
     const double elapsed_s = run.elapsed_s(run.steps[i]);
-    if (elapsed_s + 1e-9 < next_s && i + 1 < count) continue;
+    if (elapsed_s + kSameTimeS < next_s && i + 1 < count) continue;
     chosen.push_back(i);
-    next_s = (std::floor(elapsed_s / every_s + 1e-9) + 1.0) * every_s;
+    next_s = (std::floor((elapsed_s + kSameTimeS) / every_s) + 1.0) * every_s;
   }
   return chosen;
 }
@@ -138,8 +140,7 @@ std::vector<LegendEntry> run_legend(std::span<const FigureRun> runs,
     }
   }
   if (draws_ellipses(options)) {
-    entries.push_back(
-        ellipse_legend("ellipses: 1 and 3 sigma of the particles", runs.size(), theme));
+    entries.push_back(ellipse_legend("ellipses: 1 and 3 sigma", runs.size(), theme));
   }
   return entries;
 }
@@ -161,13 +162,14 @@ std::vector<LegendEntry> source_legend(const FigureRun& run,
 }
 
 LegendEntry ellipse_legend(const std::string& name, std::size_t runs, const Theme& theme) {
-  const Rgba colour = runs > 1 ? theme.muted : estimate_look(theme).colour;
-  return {name, with_opacity(colour, 0.4), LegendEntry::Kind::kBand};
+  const PathLook look = estimate_look(theme);
+  const Rgba colour = runs > 1 ? theme.muted : look.colour;
+  return {name, colour, LegendEntry::Kind::kRings, look.casing};
 }
 
 LegendEntry particle_legend() {
-  return {"particles, light is heavy", value_colour(ValueColours::kViridis, 0.6),
-          LegendEntry::Kind::kDot};
+  return {"particles, light is heavy",
+          value_colour(ValueColours::kViridis, ParticleLook::kEqualShare), LegendEntry::Kind::kDot};
 }
 
 void name_apart(std::span<FigureRun> runs) {
@@ -198,6 +200,9 @@ std::string foot_of_all(std::span<const FigureRun> runs) {
   }
   if (runs.size() > kMostNamed) text += fmt::format(" | and {} more", runs.size() - kMostNamed);
   for (std::size_t i = kMostNamed; i < runs.size(); ++i) {
+    if (!runs[i].evaluation.is_complete) {
+      text += " | " + runs[i].name + ": stopped before its end";
+    }
     for (const std::string& remark : runs[i].remarks) text += " | " + runs[i].name + ": " + remark;
   }
   return text;

@@ -47,6 +47,14 @@ Result<void> lay_on_map(FigureRun& run, const fs::path& map, const MapFacts& fac
   return {};
 }
 
+std::optional<std::string> unlike_cells(const SemanticTopview& seen, const OverheadMap& map) {
+  constexpr double kSame = 1e-9;
+  const double cell_m = map.metres_per_cell;
+  if (std::abs(seen.metres_per_cell - cell_m) < kSame * cell_m) return std::nullopt;
+  return fmt::format("the topview has cells of {} m and map '{}' of {} m", seen.metres_per_cell,
+                     map.name, cell_m);
+}
+
 void remark_on_flights(std::span<FigureRun> runs, bool is_on_map) {
   if (runs.empty()) return;
   FigureRun& first = runs.front();

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "core/base/result.h"
+#include "core/map/overhead_map.h"
+#include "core/topview/semantic_topview.h"
 #include "widgets/figures/figure_sources.h"
 
 namespace nadir {
@@ -15,6 +19,11 @@ namespace nadir {
 [[nodiscard]] Result<void> lay_on_map(FigureRun& run,
                                       const std::filesystem::path& map,
                                       const MapFacts& facts);
+
+/// Cells of a topview and of a map can be compared only where they are of one size. Nothing where they are, else what to
+/// say: "the topview has cells of 0.5 m and map 'NAME' of 0.25 m".
+[[nodiscard]] std::optional<std::string> unlike_cells(const SemanticTopview& seen,
+                                                      const OverheadMap& map);
 
 /// Remarks on the first run where several are of different flights, and whose truth and odometry a map then shows: those
 /// of the first.

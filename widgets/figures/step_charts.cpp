@@ -2,6 +2,7 @@
 // Charts of the filter itself, step by step.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/eval/consistency.h"
 #include "widgets/figures/error_charts.h"
@@ -10,6 +11,8 @@ namespace nadir {
 namespace {
 
 constexpr double kMsPerS = 1000.0;
+/// The mean NEES and the diagonal of the calibration look alike, for they say the same.
+constexpr const char* kExpected = "expected of a consistent filter";
 /// A budget so many times longer than the longest update is left out.
 constexpr double kMostBudget = 3.0;
 
@@ -42,9 +45,11 @@ ChartSpec nees_chart(const FigureRun& run, const Theme& theme) {
   spec.y = {"NEES", 0.0, {}};
   spec.lines.push_back({"", broken_at(gaps, elapsed_of(run, series)), broken_at(gaps, series.nees),
                         theme.estimate, 1.0});
-  spec.levels.push_back({"95 % bounds", chi_square_quantile(0.975, kFreedom), theme.bad, true});
-  spec.levels.push_back({"95 % bounds", chi_square_quantile(0.025, kFreedom), theme.bad, true});
-  spec.levels.push_back({"expected mean", kFreedom, theme.muted, false});
+  spec.levels.push_back(
+      {"95 % bounds of NEES", chi_square_quantile(0.975, kFreedom), theme.bad, true});
+  spec.levels.push_back(
+      {"95 % bounds of NEES", chi_square_quantile(0.025, kFreedom), theme.bad, true});
+  spec.levels.push_back({kExpected, kFreedom, theme.muted, false});
   return spec;
 }
 
@@ -58,6 +63,7 @@ ChartSpec calibration_chart(const FigureRun& run, const Theme& theme) {
     if (!step.truth_in_enu || !is_finite(*step.truth_in_enu) || !is_finite(step.estimate_in_enu)) {
       continue;
     }
+    if (!is_ellipse_known(step.covariance)) continue;
     const Eigen::Vector2d error =
         step.estimate_in_enu.translation_m() - step.truth_in_enu->translation_m();
     const auto distance2 =
@@ -67,14 +73,17 @@ ChartSpec calibration_chart(const FigureRun& run, const Theme& theme) {
   }
   std::sort(all.begin(), all.end());
   LineSpec line{"", {0.0}, {0.0}, theme.estimate, 1.5};
+  if (all.empty()) line = {};
   for (std::size_t i = 0; i < all.size(); ++i) {
     line.x.push_back(all[i]);
     line.y.push_back(static_cast<double>(i + 1) / static_cast<double>(all.size()));
   }
-  line.x.push_back(1.0);
-  line.y.push_back(1.0);
+  if (!all.empty()) {
+    line.x.push_back(1.0);
+    line.y.push_back(1.0);
+  }
   spec.lines.push_back(std::move(line));
-  spec.lines.push_back({"consistent filter", {0.0, 1.0}, {0.0, 1.0}, theme.muted, 1.0, true});
+  spec.lines.push_back({kExpected, {0.0, 1.0}, {0.0, 1.0}, theme.muted, 1.0});
   return spec;
 }
 
@@ -84,7 +93,7 @@ ChartSpec sample_size_chart(const FigureRun& run, const Theme& theme) {
   spec.y = {"particles", 0.0, {}};
   spec.lines.push_back(step_line(run, "effective sample size", theme.estimate,
                                  [](const RunStep& step) { return step.effective_sample_size; }));
-  spec.lines.push_back(step_line(run, "particles", theme.muted, [](const RunStep& step) {
+  spec.lines.push_back(step_line(run, "particles", theme.text, [](const RunStep& step) {
     return static_cast<double>(step.particle_count);
   }));
   spec.lines.back().is_dashed = true;
@@ -110,9 +119,7 @@ std::optional<double> step_period_ms(const FigureRun& run) {
   for (std::size_t i = 1; i < run.steps.size(); ++i) {
     periods_s.push_back(run.steps[i].time_s - run.steps[i - 1].time_s);
   }
-  const auto middle = periods_s.begin() + static_cast<std::ptrdiff_t>(periods_s.size() / 2);
-  std::nth_element(periods_s.begin(), middle, periods_s.end());
-  return kMsPerS * *middle;
+  return kMsPerS * lower_median(std::move(periods_s));
 }
 
 ChartSpec timing_chart(const FigureRun& run, const Theme& theme) {

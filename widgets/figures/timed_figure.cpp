@@ -24,7 +24,7 @@ std::optional<FigureTimes> TimedFigure::times() const {
 
 bool TimedFigure::is_moment_in_runs() const {
   const auto known = times();
-  return known && time_s_ >= known->first_s && time_s_ <= known->last_s;
+  return known && time_s_ >= known->first_s - kSameTimeS && time_s_ <= known->last_s + kSameTimeS;
 }
 
 Result<RunStep> TimedFigure::read_step() const {

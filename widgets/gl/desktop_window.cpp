@@ -78,11 +78,11 @@ Result<std::unique_ptr<DesktopWindow>> DesktopWindow::create(const std::string& 
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   glfwSetErrorCallback(nullptr);  // what fails here is returned
   GLFWwindow* const window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
-  if (window == nullptr) {
-    return fail(ErrorCode::kUnsupported, "the display gives no window with OpenGL 3.3 ({})",
-                complaint());
-  }
+  const std::string said = window == nullptr ? complaint() : std::string();
   glfwSetErrorCallback(tell);
+  if (window == nullptr) {
+    return fail(ErrorCode::kUnsupported, "the display gives no window with OpenGL 3.3 ({})", said);
+  }
   std::unique_ptr<DesktopWindow> made(new DesktopWindow(std::move(*library), window));
   made->make_current();
   glfwSwapInterval(1);

@@ -67,18 +67,23 @@ Result<Raster<Rgba>> OffscreenRenderer::render(vtkRenderer& scene,
                                                int height,
                                                int supersampling) {
   NADIR_REQUIRE(width > 0 && height > 0 && supersampling > 0);
-  if (width * supersampling > kMostSide || height * supersampling > kMostSide) {
-    return fail(ErrorCode::kUnsupported, "{} x {} pixels are more than OpenGL can draw at once",
-                width * supersampling, height * supersampling);
-  }
   context_->make_current();
+  const int fine_width = width * supersampling;
+  const int fine_height = height * supersampling;
+  if (fine_width > kMostSide || fine_height > kMostSide) {
+    return fail(ErrorCode::kUnsupported, "{} x {} pixels are more than OpenGL can draw at once",
+                fine_width, fine_height);
+  }
   attach(scene);
-  window_->SetSize(width * supersampling, height * supersampling);
+  window_->SetSize(fine_width, fine_height);
   window_->Render();
   vtkNew<vtkUnsignedCharArray> read;
-  window_->GetRGBACharPixelData(0, 0, width * supersampling - 1, height * supersampling - 1, 0,
-                                read);
-  const cv::Mat drawn(height * supersampling, width * supersampling, CV_8UC4, read->GetPointer(0));
+  window_->GetRGBACharPixelData(0, 0, fine_width - 1, fine_height - 1, 0, read);
+  if (read->GetNumberOfValues() != vtkIdType{4} * fine_width * fine_height) {
+    return fail(ErrorCode::kUnsupported, "OpenGL gave no pixels back of {} x {}", fine_width,
+                fine_height);
+  }
+  const cv::Mat drawn(fine_height, fine_width, CV_8UC4, read->GetPointer(0));
   Raster<Rgba> pixels(width, height);
   cv::Mat out(height, width, CV_8UC4, pixels.data());
   cv::Mat small;

@@ -15,10 +15,11 @@ class vtkRenderer;
 
 namespace nadir {
 
-/// Draws VTK scenes to pixels without a display. One thread.
+/// Draws VTK scenes to pixels without a display. One thread, on which its context stays current: who draws with another one
+/// makes that current again.
 class OffscreenRenderer {
  public:
-  /// Longest side of what is drawn at once, pixels, supersampling included: that of every OpenGL 3.3 driver in use.
+  /// Longest side of what is drawn at once, pixels, supersampling included; every OpenGL 3.3 driver in use draws that.
   static constexpr int kMostSide = 16'384;
 
   /// @errors kUnsupported: no OpenGL, see OffscreenContext::create.

@@ -101,7 +101,10 @@ AxisRange fitted_logarithmic(const Extent& extent) {
   const double high = std::log10(extent.range().high);
   double floor = std::floor(low);
   if (low - floor < 0.1) floor -= 1.0;  // else the lowest bar would have no height
-  return {std::pow(10.0, floor), std::pow(10.0, high + kYMargin * (high - floor))};
+  // The next power of ten, so that a tick is above the highest bar too, with room for its value.
+  constexpr double kRoomAbove = 0.08;
+  const double ceiling = std::ceil(high + kRoomAbove * std::max(1.0, high - floor));
+  return {std::pow(10.0, floor), std::pow(10.0, ceiling)};
 }
 
 AxisRange fitted_linear(const Extent& extent) {
@@ -254,10 +257,11 @@ Ticks logarithmic_ticks(const AxisRange& range, const TicksFit& fit) {
   NADIR_REQUIRE(range.low > 0.0 && range.low < range.high);
   const double low = std::log10(range.low);
   const double high = std::log10(range.high);
-  const auto ticks_with = [low, high](std::initializer_list<int> factors, int stride) {
+  const auto ticks_with = [low, high](std::initializer_list<int> factors, int stride,
+                                      int from = 0) {
     Ticks ticks;
     for (int power = static_cast<int>(std::floor(low)); power <= high + 1e-9; ++power) {
-      if (power % stride != 0) continue;
+      if ((power - from) % stride != 0) continue;
       for (const int factor : factors) {
         const double at = power + std::log10(factor);
         if (at < low - 1e-9 || at > high + 1e-9) continue;
@@ -272,6 +276,15 @@ Ticks logarithmic_ticks(const AxisRange& range, const TicksFit& fit) {
   };
   Ticks ticks = ticks_with({1, 2, 5}, 1);
   if (ticks.at.size() <= kMostTicks && fit(ticks)) return ticks;
+  // Between powers of ten, both ends have a tick.
+  const int first = static_cast<int>(std::lround(low));
+  const int last = static_cast<int>(std::lround(high));
+  const bool has_round_ends = std::abs(low - first) < 1e-9 && std::abs(high - last) < 1e-9;
+  for (int stride = 1; has_round_ends && stride <= last - first; ++stride) {
+    if ((last - first) % stride != 0) continue;
+    ticks = ticks_with({1}, stride, first);
+    if (ticks.at.size() <= kMostTicks && fit(ticks)) return ticks;
+  }
   for (int stride = 1; stride < 200; ++stride) {
     ticks = ticks_with({1}, stride);
     if (ticks.at.size() <= kMostTicks && fit(ticks)) break;
@@ -284,6 +297,23 @@ Ticks logarithmic_ticks(const AxisRange& range, const TicksFit& fit) {
     ticks.labels.resize(1);
   }
   return ticks;
+}
+
+std::string short_number(double value) {
+  NADIR_REQUIRE(value > 0.0 && is_drawable(value));
+  constexpr double kPlain = 1e-3;
+  constexpr double kPlainBelow = 99'999.5;
+  const auto exponent_of = [](double number) {
+    return static_cast<int>(std::floor(std::log10(number) + 1e-12));
+  };
+  if (value < kPlain || value >= kPlainBelow) {
+    const int exponent = exponent_of(value);
+    std::string mantissa = fixed(value * std::pow(10.0, -exponent), 1);
+    if (mantissa == "10.0") return "1.0×10" + superscript(exponent + 1);
+    return mantissa + "×10" + superscript(exponent);
+  }
+  const int digits = value < 0.1 ? 2 : 3;
+  return fixed(value, std::max(0, digits - 1 - exponent_of(value)));
 }
 
 }  // namespace nadir

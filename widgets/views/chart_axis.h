@@ -32,7 +32,7 @@ struct ValueScale {
 [[nodiscard]] AxisRange x_range_of(const ChartSpec& spec);
 
 /// The ends that the spec asks for, else those of the data with a twentieth of their span as margin, and from 0 where
-/// they lie close above it. In values, also on a logarithmic axis, where `low` is above 0.
+/// they lie close above it. In values, also on a logarithmic axis, which goes from one power of ten to another.
 [[nodiscard]] AxisRange y_range_of(const ChartSpec& spec);
 
 /// Places along an axis with what is written there, in rising order.
@@ -41,6 +41,9 @@ struct Ticks {
   std::vector<std::string> labels;
 };
 
+/// With three digits that count, two below 0.1: "1230", "0.0017", "4.5×10⁻⁶". @param value  Above 0.
+[[nodiscard]] std::string short_number(double value);
+
 /// Says whether labels have room beside each other.
 using TicksFit = std::function<bool(const Ticks&)>;
 
@@ -48,8 +51,8 @@ using TicksFit = std::function<bool(const Ticks&)>;
 /// where the range holds a round number. @param is_whole  No parts of 1 where the range is 2 or longer.
 [[nodiscard]] Ticks round_ticks(const AxisRange& range, bool is_whole, const TicksFit& fit);
 
-/// Ticks at 1, 2 and 5 times powers of ten, or only at powers, of a range of values above 0. `at` is the logarithm to
-/// base 10.
+/// Ticks at 1, 2 and 5 times powers of ten, or only at powers, of a range of values above 0. A range between two powers
+/// has ticks at both ends, unless not even those fit. `at` is the logarithm to base 10.
 [[nodiscard]] Ticks logarithmic_ticks(const AxisRange& range, const TicksFit& fit);
 
 }  // namespace nadir

@@ -52,6 +52,7 @@ struct BarsSpec {
   std::vector<std::string> groups = {};
   std::vector<Series> series = {};
   bool is_logarithmic = false;  ///< Of the whole y axis, which then shows what is above 0.
+  bool shows_values = false;    ///< The height above each bar, where all of them have room.
 };
 
 /// A chart as data. Magnitudes beyond 1e100 count as infinite, and nothing infinite is drawn.

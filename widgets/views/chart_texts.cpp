@@ -105,10 +105,28 @@ Ticks group_ticks(const BarsSpec& bars, const TextStyle& style, double group_px)
   const double least_px = kLeastName * style.size_px;
   const double wanted = std::ceil(least_px / std::max(group_px, 1e-3 * least_px));
   const auto stride = static_cast<std::size_t>(std::max(1.0, wanted));
-  const double most_px = static_cast<double>(stride) * group_px - 0.4 * style.size_px;
+  const double gap_px = 0.4 * style.size_px;
+  const double most_px = static_cast<double>(stride) * group_px - gap_px;
+  bool is_whole = stride == 1;
   for (std::size_t i = 0; i < bars.groups.size(); i += stride) {
     ticks.at.push_back(static_cast<double>(i));
     ticks.labels.push_back(name_below(bars.groups[i], style, most_px));
+    is_whole = is_whole && ticks.labels.back().find(kEllipsis) == std::string::npos;
+  }
+  // Names on lines of their own have the room of their neighbours too, but the first must not come below the other axis.
+  const double widest_px = widest_of(bars.groups, style);
+  const bool has_room =
+      !bars.groups.empty() && width_of(bars.groups.front(), style) <= 1.5 * group_px;
+  for (std::size_t lines = 2; !is_whole && has_room && lines <= kMostNameLines; ++lines) {
+    if (widest_px > static_cast<double>(lines) * group_px - gap_px) continue;
+    ticks = {};
+    for (std::size_t i = 0; i < bars.groups.size(); ++i) {
+      ticks.at.push_back(static_cast<double>(i));
+      std::string& label = ticks.labels.emplace_back();
+      for (std::size_t line = 0; line < i % lines; ++line) label += " \n";
+      label += bars.groups[i];
+    }
+    break;
   }
   return ticks;
 }

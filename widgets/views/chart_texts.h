@@ -27,8 +27,8 @@ inline constexpr double kChartLineSpacing = 1.3;
                                                    double most_px,
                                                    std::size_t most_lines);
 
-/// Names below groups of bars `group_px` wide: broken at spaces, then cut with an ellipsis. Below very narrow groups only
-/// every second, third ... has its name. `labels` have lines, parted by '\n'.
+/// Names below groups of bars `group_px` wide: broken at spaces, else staggered, else cut with an
+/// ellipsis; below very narrow groups only every second, third ... has its name. `labels` have lines, parted by '\n'.
 [[nodiscard]] Ticks group_ticks(const BarsSpec& bars, const TextStyle& style, double group_px);
 
 /// The style in which all labels can be written: the face of numbers has digits above the line, but no minus there.

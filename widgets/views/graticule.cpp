@@ -18,6 +18,7 @@ constexpr double kTickPt = 3.0;
 constexpr double kNumberFromMapPt = 4.5;
 constexpr double kBetweenNumbersPt = 6.0;  ///< Side by side.
 constexpr double kBetweenLinesPt = 3.0;    ///< One above the other.
+constexpr double kBetweenNamesPt = 2.0;    ///< Between the name of an axis and its numbers.
 
 TextStyle number_style(const Theme& theme, double px_per_pt) {
   TextStyle style;
@@ -166,6 +167,53 @@ Marks marks_around(const MapFrame& frame,
   return marks;
 }
 
+struct AxisName {
+  const char* along_lower;
+  const char* along_left;
+};
+
+AxisName names_of(Graticule kind) {
+  return kind == Graticule::kDegrees ? AxisName{"longitude", "latitude"}
+                                     : AxisName{"east [m]", "north [m]"};
+}
+
+/// The name of the lower border's coordinate in the corner where the borders meet, that of the left one beside its numbers,
+/// each where it has numbers and room.
+void draw_axis_names(Canvas& canvas,
+                     const MapFrame& frame,
+                     Graticule kind,
+                     const Marks& marks,
+                     const TextStyle& numbers) {
+  const double px = frame.px_per_pt;
+  const PageRect& where = frame.where;
+  const Eigen::Vector2d margin = graticule_margin_px(kind, px);
+  const AxisName names = names_of(kind);
+  const double gap = kBetweenNamesPt * px;
+  TextStyle style = numbers;
+  style.face = FontFace::kText;
+  style.align = TextAlign::kLeft;
+  const double digit_height = measure_text("0", numbers).cap_height;
+  const TextExtent lower = measure_text(names.along_lower, style);
+  const double baseline = where.bottom - kNumberFromMapPt * px - digit_height;
+  if (!marks.along_lower.empty() && lower.width + gap <= margin.x() &&
+      baseline - lower.descent >= where.bottom - margin.y()) {
+    const double away = std::clamp(margin.x() - lower.width, gap, kNumberFromMapPt * px);
+    canvas.text({where.left - away - lower.width, baseline}, names.along_lower, style);
+  }
+  double widest = 0.0;
+  for (const Mark& mark : marks.along_left) {
+    widest = std::max(widest, measure_text(mark.label, numbers).width);
+  }
+  style.rotation_deg = 90.0;
+  const TextExtent left = measure_text(names.along_left, style);
+  const double right_edge = where.left - kNumberFromMapPt * px - widest - gap;
+  const bool has_room = right_edge - left.descent - left.cap_height >= where.left - margin.x();
+  if (marks.along_left.empty() || !has_room || left.width > where.height) return;
+  // Turned to the left: what is below the baseline lies to its right.
+  canvas.text({right_edge - left.descent, where.centre().y() - left.width / 2.0}, names.along_left,
+              style);
+}
+
 bool is_turned(const MapFrame& frame) {
   return !(std::abs(frame.camera.up_rad - std::numbers::pi / 2.0) <= 1e-9);
 }
@@ -217,6 +265,7 @@ void draw_graticule(Canvas& canvas,
                  number_middle(marks.left, mark.at_m, cap_height) - cap_height / 2.0},
                 mark.label, style);
   }
+  draw_axis_names(canvas, frame, kind, marks, style);
 }
 
 void draw_graticule_lines(Canvas& canvas,

@@ -20,7 +20,7 @@ struct EnumNames<Graticule> {
 };
 
 /// Ticks with numbers at round coordinates along the left and lower border, outside of `frame.where`, which must leave
-/// the room of graticule_margin_px(). Two numbers never are equal nor touch each other; there are fewer where they would,
+/// the room of graticule_margin_px(), and the names of the coordinates where they have room beside the numbers. Two numbers never are equal nor touch each other; there are fewer where they would,
 /// and none where not even one fits. A map that is turned has none, for along its borders no coordinate alone changes;
 /// nor has one whose coordinates are not finite, or whose whole width is lost in the rounding of them.
 void draw_graticule(Canvas& canvas,

@@ -60,33 +60,33 @@ Result<void> GroundView::show(const Eigen::AlignedBox2d& shown_in_enu_m, double 
   while (level + 1 < tiles_.level_count() && touched(shown_in_enu_m, level).count() > kMostTiles) {
     ++level;
   }
+  // All that can fail comes first, so that after a fault everything is as it was.
+  std::map<TileAddress, Eigen::AlignedBox2d> cuts;
   std::map<TileAddress, std::unique_ptr<SpacePicture>> kept;
   const Span span = touched(shown_in_enu_m, level);
   for (int row = span.first.y(); row < span.end.y(); ++row) {
     for (int column = span.first.x(); column < span.end.x(); ++column) {
       const TileAddress tile{level, column, row};
-      const Eigen::AlignedBox2d bounds = bounds_of(tile);
-      const Eigen::AlignedBox2d cut = bounds.intersection(shown_in_enu_m);
+      const Eigen::AlignedBox2d cut = bounds_of(tile).intersection(shown_in_enu_m);
       if (cut.isEmpty()) continue;
-      const auto known = shown_.find(tile);
-      std::unique_ptr<SpacePicture> picture;
-      if (known != shown_.end()) {
-        picture = std::move(known->second);
-      } else {
-        auto loaded = load(tile);
-        if (!loaded) return forward_error(loaded);
-        picture = std::move(*loaded);
-      }
-      const Eigen::Vector2d size = bounds.sizes();
-      const Eigen::AlignedBox2d part(
-          Eigen::Vector2d((cut.min().x() - bounds.min().x()) / size.x(),
-                          (bounds.max().y() - cut.max().y()) / size.y()),
-          Eigen::Vector2d((cut.max().x() - bounds.min().x()) / size.x(),
-                          (bounds.max().y() - cut.min().y()) / size.y()));
-      picture->place({cut.min().x(), cut.max().y(), 0.0}, {cut.sizes().x(), 0.0, 0.0},
-                     {0.0, -cut.sizes().y(), 0.0}, part);
-      kept.emplace(tile, std::move(picture));
+      cuts.emplace(tile, cut);
+      if (shown_.count(tile) > 0) continue;
+      auto loaded = load(tile);
+      if (!loaded) return forward_error(loaded);
+      kept.emplace(tile, std::move(*loaded));
     }
+  }
+  for (const auto& [tile, cut] : cuts) {
+    std::unique_ptr<SpacePicture>& picture = kept[tile];
+    if (picture == nullptr) picture = std::move(shown_.at(tile));
+    const Eigen::AlignedBox2d bounds = bounds_of(tile);
+    const Eigen::Vector2d size = bounds.sizes();
+    const Eigen::AlignedBox2d part(Eigen::Vector2d((cut.min().x() - bounds.min().x()) / size.x(),
+                                                   (bounds.max().y() - cut.max().y()) / size.y()),
+                                   Eigen::Vector2d((cut.max().x() - bounds.min().x()) / size.x(),
+                                                   (bounds.max().y() - cut.min().y()) / size.y()));
+    picture->place({cut.min().x(), cut.max().y(), 0.0}, {cut.sizes().x(), 0.0, 0.0},
+                   {0.0, -cut.sizes().y(), 0.0}, part);
   }
   shown_ = std::move(kept);  // the others go
   return {};

@@ -18,7 +18,7 @@ class GroundView {
 
   /// Shows the map inside of the rectangle and nothing outside. @param metres_per_px  About what the page resolves there;
   /// coarser where the rectangle has too many tiles of that.
-  /// @errors kMalformed: the map's file is damaged where it was read.
+  /// @errors kMalformed: the map's file is damaged where it was read; what was shown stays as it was.
   [[nodiscard]] Result<void> show(const Eigen::AlignedBox2d& shown_in_enu_m, double metres_per_px);
   void set_opacity(double opacity);
   [[nodiscard]] const OverheadTiles& tiles() const { return tiles_; }

@@ -46,6 +46,48 @@ void fill_rect(
   canvas.fill(corners, colour);
 }
 
+std::vector<Eigen::Vector2d> ellipse(const Eigen::Vector2d& centre,
+                                     const Eigen::Vector2d& radii,
+                                     int corners) {
+  std::vector<Eigen::Vector2d> outline;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners;
+    outline.emplace_back(centre +
+                         radii.cwiseProduct(Eigen::Vector2d(std::cos(angle), std::sin(angle))));
+  }
+  return outline;
+}
+
+void draw_striped_bar(Canvas& canvas, const LegendEntry& entry, const PageRect& bar, double px) {
+  canvas.push_clip(bar);
+  for (const double offset : {-3.5, 0.0, 3.5}) {
+    const std::array<Eigen::Vector2d, 2> stripe = {
+        Eigen::Vector2d(bar.left + (offset - 1.0) * px, bar.bottom - px),
+        Eigen::Vector2d(bar.right() + (offset + 1.0) * px, bar.top() + px)};
+    canvas.stroke(stripe, {entry.casing, 1.2 * px});
+  }
+  canvas.pop_clip();
+}
+
+/// As draw_ellipses() draws them: the inner one filled a little, the outer one faint.
+void draw_rings(Canvas& canvas,
+                const LegendEntry& entry,
+                const Eigen::Vector2d& centre,
+                double px) {
+  const double width = 0.9 * px;
+  for (const auto& [radii, opacity] :
+       {std::pair(Eigen::Vector2d(7.5, 4.6), 0.6), {Eigen::Vector2d(3.2, 2.0), 1.0}}) {
+    std::vector<Eigen::Vector2d> ring = ellipse(centre, px * radii, 36);
+    if (opacity == 1.0) canvas.fill(ring, with_opacity(entry.colour, 0.15));
+    ring.push_back(ring.front());
+    if (entry.casing.alpha > 0) {
+      canvas.stroke(ring, {with_opacity(entry.casing, opacity * entry.casing.alpha / 255.0),
+                           width + 0.6 * px});
+    }
+    canvas.stroke(ring, {with_opacity(entry.colour, opacity), width});
+  }
+}
+
 void draw_sample(Canvas& canvas, const LegendEntry& entry, double left, double middle, double px) {
   const std::array<Eigen::Vector2d, 2> line = {Eigen::Vector2d(left, middle),
                                                Eigen::Vector2d(left + kSamplePt * px, middle)};
@@ -53,6 +95,8 @@ void draw_sample(Canvas& canvas, const LegendEntry& entry, double left, double m
   const bool is_line =
       entry.kind == LegendEntry::Kind::kLine || entry.kind == LegendEntry::Kind::kDashed;
   if (is_line && entry.casing.alpha > 0) canvas.stroke(line, {entry.casing, width + 1.4 * px});
+  const PageRect bar{left + 4.5 * px, middle - 3.5 * px, 7.0 * px, 7.0 * px};
+  const Eigen::Vector2d centre(left + kSamplePt / 2.0 * px, middle);
   switch (entry.kind) {
     case LegendEntry::Kind::kLine:
       canvas.stroke(line, {entry.colour, width});
@@ -64,33 +108,30 @@ void draw_sample(Canvas& canvas, const LegendEntry& entry, double left, double m
       fill_rect(canvas, left, middle - 3.5 * px, kSamplePt * px, 7.0 * px, entry.colour);
       break;
     case LegendEntry::Kind::kBar:
-      fill_rect(canvas, left + 4.5 * px, middle - 3.5 * px, 7.0 * px, 7.0 * px, entry.colour);
-      break;
-    case LegendEntry::Kind::kStripedBar: {
-      const PageRect bar{left + 4.5 * px, middle - 3.5 * px, 7.0 * px, 7.0 * px};
       fill_rect(canvas, bar.left, bar.bottom, bar.width, bar.height, entry.colour);
-      canvas.push_clip(bar);
-      for (const double offset : {-3.5, 0.0, 3.5}) {
-        const std::array<Eigen::Vector2d, 2> stripe = {
-            Eigen::Vector2d(bar.left + (offset - 1.0) * px, bar.bottom - px),
-            Eigen::Vector2d(bar.right() + (offset + 1.0) * px, bar.top() + px)};
-        canvas.stroke(stripe, {entry.casing, 1.2 * px});
-      }
-      canvas.pop_clip();
+      break;
+    case LegendEntry::Kind::kOutlinedBar: {
+      fill_rect(canvas, bar.left, bar.bottom, bar.width, bar.height, entry.colour);
+      const std::array<Eigen::Vector2d, 5> outline = {
+          Eigen::Vector2d(bar.left, bar.bottom), Eigen::Vector2d(bar.right(), bar.bottom),
+          Eigen::Vector2d(bar.right(), bar.top()), Eigen::Vector2d(bar.left, bar.top()),
+          Eigen::Vector2d(bar.left, bar.bottom)};
+      canvas.stroke(outline, {entry.casing, 0.75 * px});
       break;
     }
+    case LegendEntry::Kind::kStripedBar:
+      fill_rect(canvas, bar.left, bar.bottom, bar.width, bar.height, entry.colour);
+      draw_striped_bar(canvas, entry, bar, px);
+      break;
+    case LegendEntry::Kind::kRings:
+      draw_rings(canvas, entry, centre, px);
+      break;
     case LegendEntry::Kind::kDot: {
-      const auto dot = [&](double radius) {
-        std::vector<Eigen::Vector2d> outline;
-        for (int i = 0; i < 24; ++i) {
-          const double angle = 2.0 * std::numbers::pi * i / 24.0;
-          outline.emplace_back(left + kSamplePt / 2.0 * px + radius * std::cos(angle),
-                               middle + radius * std::sin(angle));
-        }
-        return outline;
-      };
-      if (entry.casing.alpha > 0) canvas.fill(dot(3.2 * px), entry.casing);
-      canvas.fill(dot(2.5 * px), entry.colour);
+      constexpr int kCorners = 24;
+      if (entry.casing.alpha > 0) {
+        canvas.fill(ellipse(centre, Eigen::Vector2d::Constant(3.2 * px), kCorners), entry.casing);
+      }
+      canvas.fill(ellipse(centre, Eigen::Vector2d::Constant(2.5 * px), kCorners), entry.colour);
       break;
     }
   }

@@ -9,15 +9,14 @@
 
 namespace nadir {
 
-/// A name and the sample of what is drawn so.
+/// A name and the sample of what is drawn so: rings stand for ellipses, an outlined bar for an area as pale as the page.
 struct LegendEntry {
-  enum class Kind { kLine, kDashed, kBand, kBar, kDot, kStripedBar };
+  enum class Kind { kLine, kDashed, kBand, kBar, kDot, kStripedBar, kOutlinedBar, kRings };
   std::string name;
   Rgba colour;
   Kind kind = Kind::kLine;
-  Rgba casing{
-      0, 0, 0,
-      0};  ///< Around a line that is drawn so; transparent: none. Of a striped bar, its stripes.
+  /// Around a line that is drawn so; transparent: none. Of a striped bar, its stripes; of an outlined one, its outline.
+  Rgba casing{0, 0, 0, 0};
   friend bool operator==(const LegendEntry&, const LegendEntry&) = default;
 };
 

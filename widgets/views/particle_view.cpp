@@ -11,6 +11,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -97,12 +98,21 @@ void ParticleView::show(const ParticleSet& particles, const ParticleLook& look) 
   particles_.clear();
   particles_.reserve(particles.size());
   double heaviest = 0.0;
-  for (const double weight : particles.weight) heaviest = std::max(heaviest, weight);
+  double lightest = std::numeric_limits<double>::infinity();
+  for (const double weight : particles.weight) {
+    if (!std::isfinite(weight)) continue;
+    heaviest = std::max(heaviest, weight);
+    lightest = std::min(lightest, weight);
+  }
+  const bool are_alike = lightest >= heaviest;
+  const double share_of_equals =
+      look.weight == ParticleLook::Weight::kColour ? ParticleLook::kEqualShare : 1.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const Eigen::Vector2d point(particles.x_in_enu_m[i], particles.y_in_enu_m[i]);
     const double yaw_rad = particles.yaw_rad[i];
-    if (!point.allFinite() || !std::isfinite(yaw_rad)) continue;
-    const double share = heaviest > 0.0 ? particles.weight[i] / heaviest : 1.0;
+    const double weight = particles.weight[i];
+    if (!point.allFinite() || !std::isfinite(yaw_rad) || !std::isfinite(weight)) continue;
+    const double share = are_alike ? share_of_equals : std::max(0.0, weight / heaviest);
     particles_.push_back(
         {scene_.scene_from_enu(point, MapLayer::kParticles).head<2>().cast<float>(),
          static_cast<float>(yaw_rad), static_cast<float>(share)});

@@ -16,8 +16,11 @@ namespace nadir {
 
 /// How a cloud of particles is drawn. Sizes are points of 1/72 inch, so that a small and a large page look alike.
 struct ParticleLook {
-  /// What a weight, as a share of the heaviest, is shown by: viridis from dark to light, or the area of the dot.
+  /// What a weight, as a share of the heaviest, is shown by: viridis from dark to light, or the area of the dot. Where all
+  /// weigh the same their colour is that of kEqualShare.
   enum class Weight { kColour, kSize };
+  /// Neither heavy nor light: where nothing is to be told apart, and the dot of a legend.
+  static constexpr double kEqualShare = 0.6;
   Weight weight = Weight::kColour;
   double size_pt =
       0.9;  ///< Side of a dot; where weight is size, of a heaviest one 2.5 times as much.
@@ -37,8 +40,8 @@ class ParticleView : public SightedView {
   ParticleView(const ParticleView&) = delete;
   ParticleView& operator=(const ParticleView&) = delete;
 
-  /// Copies; call only when the particles changed. Particles that are not finite are left out. Nothing is drawn before the
-  /// scene has been looked at.
+  /// Copies; call only when the particles changed. Particles whose pose or weight is not finite are left out. Nothing is
+  /// drawn before the scene has been looked at.
   void show(const ParticleSet& particles, const ParticleLook& look = {});
   void set_visible(bool visible);
   void adapt_to(const MapSight& sight) override;
@@ -57,7 +60,7 @@ class ParticleView : public SightedView {
   struct Particle {
     Eigen::Vector2f in_scene_m;  ///< Less the scene's origin: floats are fine enough there.
     float yaw_rad = 0.0F;
-    float share = 0.0F;  ///< Of the heaviest one's weight.
+    float share = 0.0F;  ///< Of the heaviest one's weight; finite.
   };
   static constexpr std::size_t kSizes = 5;
 

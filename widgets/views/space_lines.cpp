@@ -89,7 +89,11 @@ std::vector<SpacePath> dashes_of(const SpacePath& path, double dash_m, double ga
       continue;
     }
     const double length_m = (to - from).norm();
-    if (length_m > kMostPieces * (dash_m + gap_m)) continue;
+    if (length_m > kMostPieces * (dash_m + gap_m)) {
+      is_drawn = false;  // nor is it a reason to join what lies before it and after it
+      left_m = 0.0;
+      continue;
+    }
     if (is_drawn) dashes.back().push_back(from);
     double at_m = 0.0;
     while (at_m + left_m < length_m) {

@@ -38,7 +38,8 @@ class SpaceLines final : public SizedView {
 
 /// A path of the plane laid on the ground.
 [[nodiscard]] SpacePath on_ground(std::span<const Eigen::Vector2d> points_in_enu_m);
-/// A path cut into dashes, lengths in metres, > 0.
+/// A path cut into dashes, lengths in metres, > 0. A stretch of more than 100,000 dashes is left out; after it, as after a
+/// break, the first dash begins anew.
 [[nodiscard]] std::vector<SpacePath> dashes_of(const SpacePath& path, double dash_m, double gap_m);
 
 }  // namespace nadir

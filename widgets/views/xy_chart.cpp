@@ -20,10 +20,13 @@
 #include "widgets/views/chart_layout.h"
 #include "widgets/views/chart_plots.h"
 #include "widgets/views/chart_texts.h"
+#include "widgets/views/chart_values.h"
 #include "widgets/views/no_canvas.h"
 
 namespace nadir {
 namespace {
+
+constexpr double kValuePt = 7.0;  ///< Above bars.
 
 void set_text(vtkTextProperty& property, const TextStyle& style) {
   property.SetFontFamily(style.face == FontFace::kNumbers ? VTK_COURIER : VTK_ARIAL);
@@ -106,7 +109,7 @@ struct XyChart::Implementation {
     chart->SetAutoAxes(false);
     chart->SetRenderEmpty(true);
     chart->SetShowLegend(false);
-    chart->SetBarWidthFraction(0.7F);
+    chart->SetBarWidthFraction(static_cast<float>(kBarsShare));
     style_axis(*chart->GetAxis(vtkAxis::BOTTOM), spec.x, type.x_label);
     style_axis(*chart->GetAxis(vtkAxis::LEFT), spec.y, type.y_label);
     chart->GetAxis(vtkAxis::BOTTOM)->SetGridVisible(false);
@@ -175,6 +178,16 @@ struct XyChart::Implementation {
     }
     paint(canvas, page_width, page_height);
     draw_titles(canvas, layout, type.title, where);
+    if (spec.bars && spec.bars->shows_values) draw_values(canvas);
+  }
+
+  void draw_values(Canvas& canvas) const {
+    TextStyle style = type.x_label;
+    style.size_px = kValuePt * px_per_pt;
+    style.colour = theme.text;
+    for (const BarValue& value : bar_values(*spec.bars, layout, style)) {
+      canvas.text(value.baseline, value.text, style);
+    }
   }
 };
 

@@ -217,6 +217,32 @@ TEST(PositionSpread, OfWhatIsNoCovarianceIsWithoutEnd) {
   EXPECT_EQ(spread(kInfinity, 0.0, 0.0, 1.0), kInfinity);
 }
 
+TEST(Consistency, CountsStepsWithoutACovarianceNeitherInNorOutOfTheEllipse) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  std::vector<EvaluatedStep> steps = gaussian_steps(60, tilted_covariance(), tilted_covariance());
+  const Consistency whole = assess_consistency(std::span(steps).subspan(20));
+  for (std::size_t i = 0; i < 20; ++i) steps[i].covariance.setConstant(kNaN);  // NULL in a run
+  const Consistency result = assess_consistency(steps);
+  EXPECT_EQ(result.coverage_steps, 40U);
+  EXPECT_EQ(result.coverage_excluded_steps, 20U);
+  EXPECT_EQ(result.coverage_95, whole.coverage_95);
+  EXPECT_EQ(result.excluded_steps, 20U);
+  for (EvaluatedStep& step : steps) step.covariance.setConstant(kNaN);
+  EXPECT_FALSE(assess_consistency(steps).coverage_95.has_value());
+  EXPECT_EQ(assess_consistency(steps).coverage_excluded_steps, 60U);
+}
+
+TEST(IsEllipseKnown, AsksOnlyWhetherSomebodyWroteThePositionsNumbers) {
+  EXPECT_TRUE(is_ellipse_known(Eigen::Matrix3d::Zero())) << "sure, though wrongly";
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+  covariance(2, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(is_ellipse_known(covariance));
+  covariance(1, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(is_ellipse_known(covariance));
+  covariance(1, 0) = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(is_ellipse_known(covariance));
+}
+
 TEST(Consistency, LeavesOutAndCountsWhatIsNoCovariance) {
   std::vector<EvaluatedStep> steps = gaussian_steps(40, tilted_covariance(), tilted_covariance());
   const Consistency whole = assess_consistency(std::span(steps).subspan(4));
@@ -229,6 +255,7 @@ TEST(Consistency, LeavesOutAndCountsWhatIsNoCovariance) {
   EXPECT_EQ(result.nees_steps, 36U);
   EXPECT_EQ(result.nees_mean, whole.nees_mean);
   EXPECT_EQ(result.coverage_steps, 40U) << "and those count as outside";
+  EXPECT_EQ(result.coverage_excluded_steps, 0U) << "their positions have an ellipse of some kind";
   EXPECT_LE(*result.coverage_95, 37.0 / 40.0);
 }
 

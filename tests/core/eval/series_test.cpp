@@ -102,6 +102,9 @@ TEST(ErrorSeries, BreaksWhereAnEstimateOrItsCovarianceIsNone) {
   EXPECT_EQ(series.yaw_sigma_rad[3], 0.0) << "a filter that is sure, not one that is silent";
   EXPECT_THAT(series.nees, ElementsAre(0.0, IsNan(), IsNan(), IsNan()));
   EXPECT_THAT(series.is_inside_95, ElementsAre(true, false, false, true));
+  EXPECT_THAT(series.is_ellipse_known, ElementsAre(true, true, true, true));
+  steps[0].covariance(0, 1) = kNaN;
+  EXPECT_THAT(error_series(steps).is_ellipse_known, ElementsAre(false, true, true, true));
 }
 
 TEST(ErrorSeries, HasTheMeansOfTheTables) {
@@ -224,6 +227,24 @@ TEST(BrokenAt, PutsANanBeforeEachGapAndKeepsTheRest) {
   EXPECT_EQ(broken_at(std::vector<std::size_t>{}, values), values);
   EXPECT_THROW((void)broken_at(std::vector<std::size_t>{4}, values), std::logic_error);
   EXPECT_THROW((void)broken_at(std::vector<std::size_t>{2, 1}, values), std::logic_error);
+}
+
+TEST(GapsOf, AreNotMadeByTwoTruthsInARowAmongFewer) {
+  EXPECT_THAT(gaps_of(error_series(steps_with_truth("T..T..TT..T..T..T"))), IsEmpty());
+}
+
+TEST(GapsOf, AreNoneInTruthThatComesAlmostEvenly) {
+  // Truth every third and every fourth step by turns.
+  EXPECT_THAT(gaps_of(error_series(steps_with_truth("T..T...T..T...T..T...T"))), IsEmpty());
+  EXPECT_THAT(gaps_of(error_series(steps_with_truth("T..T...T..T......T..T...T"))),
+              ElementsAre(4U));
+}
+
+TEST(LowerMedian, IsTheMiddleOneOrTheLowerOfTwo) {
+  EXPECT_EQ(lower_median({7.0}), 7.0);
+  EXPECT_EQ(lower_median({9.0, 1.0, 5.0}), 5.0);
+  EXPECT_EQ(lower_median({9.0, 1.0, 5.0, 4.0}), 4.0);
+  EXPECT_THROW((void)lower_median({}), std::logic_error);
 }
 
 }  // namespace

@@ -10,17 +10,21 @@
 #include "core/run/evaluate_run.h"
 #include "tests/widgets/figures/recorded_flight.h"
 #include "tests/widgets/views/drawn_chart.h"
+#include "widgets/figures/chart_panel.h"
 #include "widgets/figures/moment_panels.h"
+#include "widgets/views/chart_axis.h"
 
 namespace nadir {
 namespace {
 
 using testing::Contains;
+using testing::DoubleNear;
 using testing::Each;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::IsNan;
 using testing::SizeIs;
+using testing::UnorderedElementsAre;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -114,7 +118,7 @@ TEST(ErrorCharts, AreDrawnWithAHoleWhereTruthIsMissing) {
   const PageRect where{0.0, 0.0, 400.0, 200.0};
   chart.draw(canvas, where, 400, 200);
   EXPECT_THAT(canvas.strokes_in(light().estimate), SizeIs(2));
-  EXPECT_THAT(canvas.fills_in(with_opacity(light().estimate, 0.22)), SizeIs(2));
+  EXPECT_THAT(canvas.fills_in(with_opacity(light().estimate, 0.34)), SizeIs(2));
   const double in_gap = chart.page_from_data({5.75, 0.0}, where).x();
   for (const auto& stroke : canvas.strokes_in(light().estimate)) {
     const bool is_before = stroke.points.back().x() < in_gap;
@@ -283,7 +287,157 @@ TEST(CalibrationChart, IsADistributionBesideTheDiagonal) {
   EXPECT_TRUE(std::is_sorted(chart.lines[0].x.begin(), chart.lines[0].x.end()));
   EXPECT_TRUE(std::is_sorted(chart.lines[0].y.begin(), chart.lines[0].y.end()));
   EXPECT_EQ(chart.lines[0].y.back(), 1.0);
-  EXPECT_THAT(names_of(chart), ElementsAre("consistent filter"));
+  EXPECT_THAT(names_of(chart), ElementsAre("expected of a consistent filter"));
+}
+
+TEST(CalibrationChart, LeavesOutStepsWithoutACovariance) {
+  const auto forget = [](RunStep& step) {
+    if (step.step < 20) step.estimate.moments.covariance.setConstant(kNan);
+  };
+  const ChartSpec some = calibration_chart(drive("some", 30, forget), light());
+  EXPECT_THAT(some.lines[0].x, SizeIs(10 + 2));
+  EXPECT_LT(*std::max_element(some.lines[0].x.begin(), some.lines[0].x.end() - 1), 1.0);
+  const ChartSpec none = calibration_chart(
+      drive("none", 30, [](RunStep& step) { step.estimate.moments.covariance.setConstant(kNan); }),
+      light());
+  EXPECT_THAT(none.lines[0].x, IsEmpty());
+  EXPECT_THAT(none.lines[1].x, SizeIs(2));
+}
+
+TEST(CdfChart, HasTheOdometryOfEachFlight) {
+  std::vector<FigureRun> runs = {drive("a"), drive("b")};
+  EXPECT_THAT(names_of(cdf_chart(runs, ErrorKind::kPosition, light())),
+              ElementsAre("odometry (input)", "a", "b"));
+  runs[1].evaluation.flight = "another";
+  const ChartSpec chart = cdf_chart(runs, ErrorKind::kPosition, light());
+  EXPECT_THAT(names_of(chart),
+              ElementsAre("odometry (input) of a", "odometry (input) of b", "a", "b"));
+  const std::vector<LegendEntry> entries = legend_of(chart);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_TRUE(entries[i].colour != entries[j].colour || entries[i].kind != entries[j].kind);
+    }
+  }
+}
+
+TEST(MseChart, IsInTheUnitsOfTheReportAndSaysItsScale) {
+  const FigureRun run = drive("a");
+  const ChartSpec chart = mse_chart({&run, 1}, ErrorKind::kOrientation, light());
+  EXPECT_EQ(chart.y.title, "MSE [deg²], log scale");
+  const double degrees = 180.0 / 3.141592653589793;
+  EXPECT_NEAR(chart.bars->series[1].heights[0],
+              run.evaluation.estimate->orientation_rad.mean_square * degrees * degrees, 1e-9);
+  EXPECT_EQ(mse_chart({&run, 1}, ErrorKind::kPosition, light()).y.title, "MSE [m²], log scale");
+}
+
+TEST(MseChart, HasTicksAboveAndBelowItsBarsAndTheirValues) {
+  const std::vector<FigureRun> runs = {drive("a"), drive("b", 12)};
+  for (const ErrorKind kind : {ErrorKind::kPosition, ErrorKind::kOrientation}) {
+    const ChartSpec chart = mse_chart(runs, kind, light());
+    const AxisRange range = y_range_of(chart);
+    RecordingCanvas canvas;
+    XyChart(chart, light(), 2.0).draw(canvas, {0.0, 0.0, 600.0, 400.0}, 600, 400);
+    std::vector<std::string> texts;
+    for (const auto& text : canvas.texts) texts.push_back(text.line);
+    for (const BarsSpec::Series& series : chart.bars->series) {
+      for (const double height : series.heights) {
+        EXPECT_GT(height, range.low);
+        EXPECT_LT(height, range.high);
+        EXPECT_THAT(texts, Contains(short_number(height)));
+      }
+    }
+  }
+}
+
+TEST(ConsistencyCharts, DrawDifferentThingsInDifferentWays) {
+  const FigureRun run = drive("a");
+  const std::vector<CaptionedChart> charts = {{"a", nees_chart(run, light())},
+                                              {"b", calibration_chart(run, light())},
+                                              {"c", sample_size_chart(run, light())},
+                                              {"d", agreement_chart({&run, 1}, light())}};
+  const std::vector<LegendEntry> entries = legend_of_all(charts);
+  EXPECT_THAT(entries, SizeIs(4));  // run, expected, bounds, particles
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_NE(entries[i].name, entries[j].name);
+      EXPECT_TRUE(entries[i].colour != entries[j].colour || entries[i].kind != entries[j].kind)
+          << entries[i].name << " and " << entries[j].name;
+    }
+  }
+}
+
+TEST(AxisErrorChart, HasBandsOfOneAndTwoSigmaInTheUnitsOfItsError) {
+  const FigureRun run = drive("a");  // variances 0.3 m^2, 0.1 m^2 and 0.002 rad^2
+  const ChartSpec east = axis_error_chart(run, PoseAxis::kEast, light());
+  const ChartSpec north = axis_error_chart(run, PoseAxis::kNorth, light());
+  const ChartSpec yaw = axis_error_chart(run, PoseAxis::kYaw, light());
+  const auto expect_bands = [](const ChartSpec& chart, double sigma) {
+    ASSERT_THAT(chart.bands, SizeIs(2));
+    EXPECT_THAT(chart.bands[0].low, Each(DoubleNear(-2.0 * sigma, 1e-4)));
+    EXPECT_THAT(chart.bands[0].high, Each(DoubleNear(2.0 * sigma, 1e-4)));
+    EXPECT_THAT(chart.bands[1].low, Each(DoubleNear(-sigma, 1e-4)));
+    EXPECT_THAT(chart.bands[1].high, Each(DoubleNear(sigma, 1e-4)));
+  };
+  expect_bands(east, 0.54772);
+  expect_bands(north, 0.31623);
+  expect_bands(yaw, 2.56235);  // degrees
+  EXPECT_THAT(east.lines[0].y, Each(DoubleNear(0.2, 1e-9)));
+  EXPECT_NEAR(north.lines[0].y[0], -0.2, 1e-9);
+  EXPECT_THAT(yaw.lines[0].y, Each(DoubleNear(0.572958, 1e-5)));  // 0.01 rad
+}
+
+TEST(NeesChart, HasTheBoundsAndTheMeanOfThreeDegreesOfFreedom) {
+  const ChartSpec chart = nees_chart(drive("a"), light());
+  std::vector<double> levels;
+  for (const auto& level : chart.levels) levels.push_back(level.y);
+  EXPECT_THAT(levels, UnorderedElementsAre(DoubleNear(0.216, 5e-4), DoubleNear(9.348, 5e-4), 3.0));
+  // 0.2^2 / 0.3 + 0.2^2 / 0.1 + 0.01^2 / 0.002
+  EXPECT_NEAR(chart.lines[0].y[0], 0.583333, 1e-6);
+}
+
+TEST(ErrorCharts, CountTimeFromTheRunsStartAlsoWhereItsFirstStepsAreLeftOut) {
+  FigureRun run = drive("later");
+  run.steps.erase(run.steps.begin(), run.steps.begin() + 10);
+  run.judged.erase(run.judged.begin(), run.judged.begin() + 10);
+  run.judged[0].truth_in_enu.reset();
+  const std::vector<double> elapsed = elapsed_of(run, error_series(run.judged));
+  ASSERT_THAT(elapsed, SizeIs(19));
+  EXPECT_NEAR(elapsed.front(), 5.5, 1e-9);
+  EXPECT_NEAR(elapsed.back(), 14.5, 1e-9);
+  for (const ChartSpec& chart : charts_over_time(run)) {
+    for (const LineSpec& line : chart.lines) EXPECT_NEAR(line.x.front(), 5.5, 1e-9);
+  }
+}
+
+TEST(CalibrationChart, IsTheDiagonalForAFilterAsSureAsItMayBe) {
+  constexpr int kSteps = 200;
+  const FigureRun run = drive("gaussian", kSteps, [](RunStep& step) {
+    // One error at the middle of each 200th of a Gaussian in the plane, stretched and turned by `root`.
+    const double probability = (step.step + 0.5) / kSteps;
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - probability));
+    const double angle = 2.4 * step.step;
+    Eigen::Matrix2d root;
+    root << 2.0, 0.0, 0.7, 0.5;
+    const Eigen::Vector2d error = root * Eigen::Vector2d(std::cos(angle), std::sin(angle)) * radius;
+    step.estimate.moments.mean.x_m = step.truth_in_enu->x_m + error.x();
+    step.estimate.moments.mean.y_m = step.truth_in_enu->y_m + error.y();
+    step.estimate.moments.mean.yaw_rad = 0.1;
+    step.estimate.moments.covariance.setZero();
+    step.estimate.moments.covariance.topLeftCorner<2, 2>() = root * root.transpose();
+    step.estimate.moments.covariance(2, 2) = 0.002;
+  });
+  const LineSpec line = calibration_chart(run, light()).lines[0];
+  ASSERT_THAT(line.x, SizeIs(kSteps + 2));
+  for (std::size_t i = 0; i < line.x.size(); ++i) {
+    EXPECT_NEAR(line.x[i], line.y[i], 0.51 / kSteps) << i;
+  }
+}
+
+TEST(TimingChart, TakesTheLowerOfTwoMiddlePeriods) {
+  const FigureRun run = drive("uneven", 3, [](RunStep& step) {
+    if (step.step == 2) step.time_s += 60.0;
+  });
+  EXPECT_NEAR(step_period_ms(run).value(), 500.0, 1e-6);
 }
 
 }  // namespace

@@ -174,5 +174,27 @@ TEST(FigureLayersOption, NamesTheNearestLayerAndRefusesAMixture) {
   EXPECT_EQ(option_fault("layers", ""), "--layers: '' is no layer");
 }
 
+TEST(ChangedInputs, NameThePictureOfAMapWhereItIsShown) {
+  FigureRecipe recipe;
+  recipe.figure = "trajectories";
+  recipe.inputs.picture = "01";
+  InputHashes now;
+  now.picture = "01";
+  EXPECT_THAT(changed_inputs(recipe, now), testing::IsEmpty());
+  now.picture = "02";
+  EXPECT_THAT(
+      changed_inputs(recipe, now),
+      testing::ElementsAre("the picture of the run's map has changed since the figure was drawn"));
+  now.picture.clear();  // it is gone
+  recipe.map = "town";
+  EXPECT_THAT(changed_inputs(recipe, now),
+              testing::ElementsAre("the picture of town has changed since the figure was drawn"));
+  recipe.options.layers.set(FigureLayer::kPicture, false);
+  EXPECT_THAT(changed_inputs(recipe, now), testing::IsEmpty());
+  const auto again = parse_figure_recipe(recipe_text(recipe), "r");
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->inputs.picture, "01");
+}
+
 }  // namespace
 }  // namespace nadir

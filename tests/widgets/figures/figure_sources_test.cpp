@@ -157,5 +157,22 @@ TEST_F(Sources, HashTheInputsThatAFigureHas) {
   EXPECT_EQ(route_of_recipe(recipe, map()), map() / "routes" / "loop.toml");
 }
 
+TEST_F(Sources, HashTheMapsPictureWhereTheFigureShowsIt) {
+  FigureRecipe recipe;
+  recipe.runs = {drive("a.nadir")};
+  const auto picture = [this, &recipe](std::string_view figure) {
+    recipe.figure = figure;
+    const auto hashes = hash_inputs(recipe, sources_, {});
+    return hashes ? hashes->picture : hashes.error().message;
+  };
+  const std::string bytes = read_text_file(map() / "image.tif").value();
+  EXPECT_EQ(picture("trajectories"), Hash().add(bytes).text());
+  EXPECT_EQ(picture("overhead-pair"), Hash().add(bytes).text());
+  EXPECT_EQ(picture("labels"), "");
+  EXPECT_EQ(picture("cdf"), "");
+  recipe.options.layers.set(FigureLayer::kPicture, false);
+  EXPECT_EQ(picture("trajectories"), "");
+}
+
 }  // namespace
 }  // namespace nadir

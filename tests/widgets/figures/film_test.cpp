@@ -13,6 +13,7 @@ namespace nadir {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 /// Noise that moves, which no codec makes small.
@@ -116,6 +117,35 @@ TEST(FigureContext, DrawsAtTwiceTheSizeWhereOpenGlCan) {
   context.set_format(format);
   EXPECT_EQ(context.supersampling, 1);
   EXPECT_EQ(context.format().height, 16'000);
+}
+
+/// Remembers the times that it was asked for.
+class Witness : public Figure {
+ public:
+  explicit Witness(FigureTimes times) : times_(times) {}
+  Result<void> draw(Canvas& /*canvas*/, FigureContext& /*context*/) override { return {}; }
+  [[nodiscard]] std::optional<FigureTimes> times() const override { return times_; }
+  void show_at(double time_s) override { shown_s.push_back(time_s); }
+  std::vector<double> shown_s;
+
+ private:
+  FigureTimes times_;
+};
+
+TEST(Film, EndsAtItsEndAndNotByRoundingBehindIt) {
+  const ScratchFolder folder;
+  FigureContext context = small_page();
+  Witness exact({0.0, 0.3});
+  ASSERT_GT(3 * 0.1, 0.3);  // what is guarded against
+  ASSERT_TRUE(write_film(exact, context, {.fps = 10.0}, folder.path() / "a.mp4", {}));
+  EXPECT_THAT(exact.shown_s, ElementsAre(0.0, 0.1, 0.2, 0.3));
+  // Times of day are known to 2.4e-7 s: the last frame is not lost for that.
+  Witness early({0.0, 0.3 - 2.4e-7});
+  ASSERT_TRUE(write_film(early, context, {.fps = 10.0}, folder.path() / "b.mp4", {}));
+  EXPECT_THAT(early.shown_s, ElementsAre(0.0, 0.1, 0.2, 0.3 - 2.4e-7));
+  Witness single({0.3 - 2.4e-7, 0.3 - 2.4e-7});
+  ASSERT_TRUE(write_film(single, context, {.from_s = 0.3}, folder.path() / "c.mp4", {}));
+  EXPECT_THAT(single.shown_s, ElementsAre(0.3 - 2.4e-7));
 }
 
 }  // namespace

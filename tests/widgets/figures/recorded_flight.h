@@ -19,6 +19,13 @@ struct RunFaults {
   double shift_m = 0.0;               ///< Of all poses from the map.
   double plane_latitude_deg = 33.45;  ///< That of drawn maps.
   std::string map_hash = {}, flight_hash = {};
+  double metres_per_cell = 1.0;  ///< Of the topviews; that of the street's map is 1.
+  bool knows_spread = true;      ///< Else neither covariances nor an effective sample size.
+  int jumps_at = -1;             ///< From this step on all poses are ...
+  double jump_m = 0.0;           ///< ... so much farther east.
+  bool has_odometry = true;
+  bool is_finished = true;  ///< false: the program was killed after its last step.
+  double first_time_s = 100.0;
 };
 
 /// Writes a map of 60 m x 40 m, road between curbs and terrain with a building, with a picture: package `folder`.
@@ -47,15 +54,23 @@ inline void write_street(const std::filesystem::path& folder, bool has_picture =
 inline RunStep street_step(int number, const RunFaults& faults) {
   RunStep step;
   step.step = number;
-  step.time_s = 100.0 + 0.5 * number;
-  const Rigid2 truth{10.0 + number + faults.shift_m, 20.0, 0.0};
+  step.time_s = faults.first_time_s + 0.5 * number;
+  const bool has_jumped = faults.jumps_at >= 0 && number >= faults.jumps_at;
+  const Rigid2 truth{10.0 + number + faults.shift_m + (has_jumped ? faults.jump_m : 0.0), 20.0,
+                     0.0};
   step.odom_from_body = {static_cast<double>(number), 0.1 * number, 0.0};
-  step.odometry_in_enu = Rigid2{truth.x_m, truth.y_m + 0.1 * number, 0.02};
+  if (faults.has_odometry) {
+    step.odometry_in_enu = Rigid2{truth.x_m, truth.y_m + 0.1 * number, 0.02};
+  }
   if (faults.has_truth) step.truth_in_enu = truth;
   step.estimate.moments.mean = {truth.x_m + 0.2, truth.y_m - 0.2 + 0.1 * std::sin(number), 0.01};
   step.estimate.moments.covariance = Eigen::Vector3d(0.3, 0.1, 0.002).asDiagonal();
-  step.estimate.modes = {{1.0, step.estimate.moments}};
   step.effective_sample_size = 60.0;
+  if (!faults.knows_spread) {
+    step.estimate.moments.covariance.setConstant(std::nan(""));
+    step.effective_sample_size = std::nan("");
+  }
+  step.estimate.modes = {{1.0, step.estimate.moments}};
   step.particle_count = 100;
   step.agreement = 0.8;
   step.topview_cells = 9;
@@ -77,7 +92,7 @@ inline RunStep street_step(int number, const RunFaults& faults) {
         raster.labels.at(column, row) = column == 0 || column == 8 ? kCurb : kRoad;
       }
     }
-    step.topview = topview_from_raster(raster, 1.0);
+    step.topview = topview_from_raster(raster, faults.metres_per_cell);
   }
   return step;
 }
@@ -104,8 +119,10 @@ inline void write_drive(const std::filesystem::path& path,
     const auto written = writer->write(street_step(i, faults));
     if (!written) throw std::runtime_error(written.error().message);
   }
-  const auto finished = writer->finish();
-  if (!finished) throw std::runtime_error(finished.error().message);
+  if (faults.is_finished) {
+    const auto finished = writer->finish();
+    if (!finished) throw std::runtime_error(finished.error().message);
+  }
   const std::filesystem::path flight = path.parent_path() / "flight";
   if (std::filesystem::exists(flight) || !std::filesystem::exists(map / "map.toml")) return;
   const auto seen = read_overhead_map(map);

@@ -210,5 +210,43 @@ TEST(UrlPath, EncodesWhatHasAMeaningInUrls) {
   EXPECT_EQ(url_path("ü"), "%C3%BC");
 }
 
+/// Localised over the whole map, with truth from a later step on: nothing says where the odometry began.
+TEST_F(Report, HasTheErrorsOfARunWithoutOdometryInThePlane) {
+  const auto run = open_figure_run(drive("global.nadir", {.has_odometry = false}), {});
+  ASSERT_TRUE(run);
+  const std::string table = error_table({&*run, 1});
+  EXPECT_THAT(table, Not(HasSubstr("truth is not known")));
+  vtkNew<XmlReading> reading;
+  ASSERT_EQ(reading->Parse(("<page>" + table + "</page>").c_str()), 1);
+  std::vector<std::string> cells;
+  for (const XmlElement& cell : reading->named("td")) cells.push_back(cell.text);
+  ASSERT_THAT(cells, ::testing::SizeIs(10 + 12 + 10));
+  const auto row = [&cells](std::size_t first) {
+    return std::vector<std::string>(cells.begin() + static_cast<std::ptrdiff_t>(first),
+                                    cells.begin() + static_cast<std::ptrdiff_t>(first) + 9);
+  };
+  const std::string dash = "–";
+  EXPECT_THAT(row(0),
+              ElementsAre("odometry (input)", dash, dash, dash, dash, dash, dash, dash, dash));
+  EXPECT_EQ(row(10)[0], "estimate");
+  EXPECT_THAT(row(10), Not(Contains(dash)));
+  EXPECT_THAT(row(22),
+              ElementsAre("estimate / odometry", dash, dash, dash, dash, dash, dash, dash, dash));
+}
+
+TEST_F(Report, SaysWhichRunWasStoppedBeforeItsEnd) {
+  ASSERT_TRUE(write({drive("whole.nadir"), drive("killed.nadir", {.is_finished = false})}));
+  vtkNew<XmlReading> reading;
+  const std::string page = index();
+  ASSERT_EQ(reading->Parse(page.c_str() + page.find('\n') + 1), 1);
+  std::vector<std::string> cells;
+  for (const XmlElement& cell : reading->named("td")) cells.push_back(cell.text);
+  EXPECT_THAT(cells, Contains("12"));
+  EXPECT_THAT(cells, Contains("12 (stopped before its end)"));
+  const std::string table = read_text_file(out() / "table.txt").value();
+  EXPECT_THAT(table, HasSubstr("killed.nadir (stopped before its end)\n"));
+  EXPECT_THAT(table, HasSubstr("whole.nadir\n"));
+}
+
 }  // namespace
 }  // namespace nadir

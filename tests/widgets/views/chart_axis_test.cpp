@@ -152,6 +152,25 @@ TEST(LogarithmicTicks, AreAtPowersOfTenOfLongRanges) {
               ElementsAre("10⁻⁶", "0.001", "1", "1000", "10⁶"));
 }
 
+TEST(LogarithmicTicks, AreAtBothEndsBetweenPowersOfTen) {
+  EXPECT_THAT(logarithmic_ticks({1e-7, 10.0}, at_most(4)).labels,
+              ElementsAre("10⁻⁷", "0.001", "10"));
+  EXPECT_THAT(logarithmic_ticks({1e-3, 1e4}, at_most(5)).labels, ElementsAre("0.001", "10000"));
+}
+
+TEST(ShortNumber, HasThreeDigitsThatCountOrTwoOfSmallOnes) {
+  EXPECT_EQ(short_number(1234.4), "1234");
+  EXPECT_EQ(short_number(123.4), "123");
+  EXPECT_EQ(short_number(12.34), "12.3");
+  EXPECT_EQ(short_number(1.234), "1.23");
+  EXPECT_EQ(short_number(0.1234), "0.123");
+  EXPECT_EQ(short_number(0.01234), "0.012");
+  EXPECT_EQ(short_number(0.00123), "0.0012");
+  EXPECT_EQ(short_number(4.51e-6), "4.5×10⁻⁶");
+  EXPECT_EQ(short_number(9.99e5), "1.0×10⁶");
+  EXPECT_THROW((void)short_number(0.0), std::logic_error);
+}
+
 TEST(LogarithmicTicks, AreNeverNoneWhereThereIsARoundNumber) {
   // No power of ten in it, and no two labels fit.
   EXPECT_THAT(logarithmic_ticks({0.15, 0.9}, at_most(1)).labels, ElementsAre("0.2"));
@@ -238,7 +257,8 @@ TEST(YRange, OfBarsBeginsAtZero) {
 TEST(YRange, OfLogarithmicBarsBeginsAtAPowerOfTenBelowTheLowest) {
   const AxisRange range = y_range_of(with_bars({0.02, 30.0, 0.0}, true));
   EXPECT_DOUBLE_EQ(range.low, 0.01);
-  EXPECT_GT(range.high, 30.0);
+  EXPECT_DOUBLE_EQ(range.high, 100.0) << "a tick above the highest";
+  EXPECT_DOUBLE_EQ(y_range_of(with_bars({0.02, 95.0}, true)).high, 1000.0) << "room for its value";
   EXPECT_DOUBLE_EQ(y_range_of(with_bars({0.01, 30.0, kNan}, true)).low, 0.001);
   const AxisRange nothing = y_range_of(with_bars({0.0, -1.0, kNan}, true));
   EXPECT_GT(nothing.low, 0.0);

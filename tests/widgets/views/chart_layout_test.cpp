@@ -164,8 +164,8 @@ TEST(ChartLayout, OfALogarithmicAxisBeginsAtZero) {
   const ChartLayout layout = laid_out(spec, {0, 0, 500, 300});
   EXPECT_EQ(layout.y.low, 0.0);
   EXPECT_DOUBLE_EQ(layout.scale.log10_at_low, -2.0);
-  EXPECT_THAT(layout.y_ticks.labels, ElementsAre("0.01", "0.1", "1", "10"));
-  for (std::size_t i = 0; i < 4; ++i) {
+  EXPECT_THAT(layout.y_ticks.labels, ElementsAre("0.01", "0.1", "1", "10", "100"));
+  for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_NEAR(layout.y_ticks.at[i], static_cast<double>(i), 1e-9);
   }
 }

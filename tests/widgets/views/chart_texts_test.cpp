@@ -68,13 +68,22 @@ BarsSpec groups_of(std::vector<std::string> names) {
 }
 
 TEST(GroupTicks, BreakNamesAtSpacesAndCutLongWords) {
-  const Ticks ticks = group_ticks(groups_of({"a", "proving ground", "überaus-langer-name"}),
+  const Ticks ticks = group_ticks(groups_of({"a", "proving ground", "ein-ganz-überaus-langer-name"}),
                                   words_of_12_px(), width_of("proving ") + 5.0);
   EXPECT_THAT(ticks.at, ElementsAre(0.0, 1.0, 2.0));
   EXPECT_EQ(ticks.labels[0], "a");
   EXPECT_EQ(ticks.labels[1], "proving\nground");
   EXPECT_THAT(ticks.labels[2], EndsWith("…"));
   EXPECT_LE(width_of(ticks.labels[2]), width_of("proving ") + 5.0);
+}
+
+TEST(GroupTicks, StandOnLinesOfTheirOwnWhereNeighboursLeaveNoRoom) {
+  const double group_px = width_of("vegetation") / 2.0;
+  const Ticks ticks = group_ticks(groups_of({"road", "sidewalk", "building", "vegetation", "curb"}),
+                                  words_of_12_px(), group_px);
+  EXPECT_THAT(ticks.at, ElementsAre(0.0, 1.0, 2.0, 3.0, 4.0));
+  EXPECT_THAT(ticks.labels,
+              ElementsAre("road", " \nsidewalk", " \n \nbuilding", "vegetation", " \ncurb"));
 }
 
 TEST(GroupTicks, HaveThreeLinesAtMost) {

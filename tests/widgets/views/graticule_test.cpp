@@ -25,10 +25,40 @@ MapFrame frame_of(const Eigen::Vector2d& centre,
   return {where, {centre, metres_per_px}, px_per_pt};
 }
 
-RecordingCanvas drawn(const MapFrame& frame, Graticule kind) {
+RecordingCanvas drawn_with_names(const MapFrame& frame, Graticule kind) {
   RecordingCanvas canvas;
   draw_graticule(canvas, frame, kind, plane(), light());
   return canvas;
+}
+
+bool is_name(const RecordingCanvas::Text& text) { return text.style.align == TextAlign::kLeft; }
+
+/// Ticks and numbers alone.
+RecordingCanvas drawn(const MapFrame& frame, Graticule kind) {
+  RecordingCanvas canvas = drawn_with_names(frame, kind);
+  std::erase_if(canvas.texts, is_name);
+  return canvas;
+}
+
+/// Names touch neither numbers nor map, and keep inside the margin.
+void expect_names_apart(const MapFrame& frame, Graticule kind) {
+  const RecordingCanvas canvas = drawn_with_names(frame, kind);
+  const Eigen::Vector2d room = graticule_margin_px(kind, frame.px_per_pt);
+  const PageRect& map = frame.where;
+  for (const auto& name : canvas.texts) {
+    if (!is_name(name)) continue;
+    const Eigen::AlignedBox2d box = name.box();
+    EXPECT_GE(box.min().x(), map.left - room.x() - 1e-6) << name.line;
+    EXPECT_LE(box.max().x(), map.left) << name.line;
+    EXPECT_GE(box.min().y(), map.bottom - room.y() - 1e-6) << name.line;
+    EXPECT_LE(box.max().y(), map.top()) << name.line;
+    for (const auto& other : canvas.texts) {
+      if (&other == &name) continue;
+      Eigen::AlignedBox2d digits = other.box();
+      if (!is_name(other)) digits.min().y() += measure_text("0", other.style).descent;
+      EXPECT_TRUE(box.intersection(digits).isEmpty()) << name.line << " and " << other.line;
+    }
+  }
 }
 
 /// A number with a true minus and maybe a degree sign.
@@ -125,6 +155,7 @@ TEST(Graticule, HasNumbersThatDifferAtEveryScale) {
           EXPECT_LE(seen.size(), 12U);
         }
         expect_labels_apart(canvas, frame, kind);
+        expect_names_apart(frame, kind);
       }
     }
   }
@@ -139,9 +170,29 @@ TEST(Graticule, HasLabelsThatTouchNothingOnPagesOfAnySize) {
               frame_of({-123.4, 7000.0}, 90.0 / width, {100.0, 80.0, width, height}, px_per_pt);
           SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
           expect_labels_apart(drawn(frame, kind), frame, kind);
+          expect_names_apart(frame, kind);
         }
       }
     }
+  }
+}
+
+TEST(Graticule, NamesEachCoordinateOnceWithItsUnit) {
+  const auto names = [](Graticule kind) {
+    std::vector<std::string> found;
+    for (const auto& text : drawn_with_names(frame_of({120.0, -35.0}, 0.25), kind).texts) {
+      if (is_name(text)) found.push_back(text.line);
+    }
+    return found;
+  };
+  EXPECT_THAT(names(Graticule::kMetres), testing::ElementsAre("east [m]", "north [m]"));
+  EXPECT_THAT(names(Graticule::kDegrees), testing::Contains("longitude"));
+}
+
+TEST(Graticule, LeavesNamesOutBesideNumbersThatTakeTheRoom) {
+  const MapFrame far = frame_of({0.0, -987'650.0}, 0.25);
+  for (const auto& text : drawn_with_names(far, Graticule::kMetres).texts) {
+    EXPECT_NE(text.line, "north [m]");
   }
 }
 

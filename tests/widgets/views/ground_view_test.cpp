@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/views/ground_view.h"
 
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "core/geo/rigid2.h"
@@ -116,6 +118,45 @@ TEST_F(Ground, AwayFromTheMapIsNothing) {
     const SpaceCamera camera{{target.x(), target.y(), 0.0}, 20.0, 0.4, 0.6, 0.7};
     EXPECT_EQ(draw(scene, camera), Raster<Rgba>(kPageWidth, kPageHeight, kNothing));
   }
+}
+
+TEST_F(Ground, IsAsItWasAfterItsFileCouldNotBeRead) {
+  const auto labels = scratch_.path() / "map" / "labels.tif";
+  const auto whole = scratch_.path() / "whole.tif";
+  std::filesystem::copy_file(labels, whole);
+  const auto damage = [&labels](std::streamoff begin_share, std::streamoff end_share) {
+    std::fstream file(labels, std::ios::binary | std::ios::in | std::ios::out);
+    const auto size = static_cast<std::streamoff>(std::filesystem::file_size(labels));
+    file.seekp(size * begin_share / 100);
+    while (file.tellp() < size * end_share / 100) file.put('\x55');
+  };
+  SpaceScene scene(middle());
+  const SpaceCamera camera{
+      {middle().x(), middle().y(), 0.0}, 40.0, 0.0, std::numbers::pi / 2.0, 0.7};
+  const Eigen::AlignedBox2d near(middle() - Eigen::Vector2d(9, 9),
+                                 middle() + Eigen::Vector2d(9, 9));
+  const Eigen::AlignedBox2d all(middle() - Eigen::Vector2d(400, 400),
+                                middle() + Eigen::Vector2d(400, 400));
+  damage(40, 45);
+  GroundView view(scene, tiles(), Layer::kLabels);
+  // Some tiles can be read and others not: whichever were shown must not be lost.
+  int shown = 0;
+  int failed = 0;
+  for (int column = 0; column < 26; ++column) {
+    const Eigen::Vector2d place = middle() + Eigen::Vector2d(-312.0 + 25.0 * column, 0.0);
+    const Eigen::AlignedBox2d part(place - Eigen::Vector2d(5, 150),
+                                   place + Eigen::Vector2d(5, 150));
+    const bool was_shown = view.show(part, 0.5).has_value();
+    const Raster<Rgba> before = draw(scene, camera);
+    const auto everything = view.show(all, 0.5);
+    EXPECT_FALSE(everything);
+    EXPECT_EQ(draw(scene, camera), before);
+    EXPECT_FALSE(view.show(all, 0.5));  // again
+    ++(was_shown ? shown : failed);
+  }
+  EXPECT_GT(shown, 0);
+  EXPECT_GT(failed, 0);
+  view.set_opacity(0.5);
 }
 
 TEST_F(Ground, CanBeMadeTransparent) {

@@ -209,6 +209,46 @@ TEST_F(Particles, ShowTheirWeightByColour) {
   }
 }
 
+TEST_F(Particles, OfOneWeightHaveTheColourThatLegendsShow) {
+  ParticleView view(scene);
+  ParticleLook look;
+  look.size_pt = 3.0;
+  look.heading_pt = 0.0;
+  const Rgba expected = value_colour(ValueColours::kViridis, ParticleLook::kEqualShare);
+  for (const double weight : {0.5, 0.0}) {
+    view.show(set_of({{980.0, 2000.0, 0.0}, {1020.0, 2000.0, 0.0}}, {weight, weight}), look);
+    const Raster<Rgba> page = drawn(sight(0.5));
+    EXPECT_LE(difference(page.at(60, 100), expected), 2) << weight;
+    EXPECT_LE(difference(page.at(140, 100), expected), 2) << weight;
+  }
+}
+
+TEST_F(Particles, WithoutAWeightAreLeftOut) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const auto weight : {ParticleLook::Weight::kColour, ParticleLook::Weight::kSize}) {
+    ParticleView view(scene);
+    ParticleLook look;
+    look.weight = weight;
+    look.size_pt = 3.0;
+    look.heading_pt = 0.0;
+    view.show(set_of({{960.0, 2000.0, 0.0},
+                      {980.0, 2000.0, 0.0},
+                      {1000.0, 2000.0, 0.0},
+                      {1020.0, 2000.0, 0.0}},
+                     {0.5, kNaN, kInfinity, 1.0}),
+              look);
+    const Raster<Rgba> page = drawn(sight(0.5));
+    EXPECT_EQ(view.drawn_count(), 2U);
+    EXPECT_EQ(page.at(60, 100).alpha, 0);
+    EXPECT_EQ(page.at(100, 100).alpha, 0);
+    EXPECT_GT(page.at(20, 100).alpha, 0);
+    if (weight == ParticleLook::Weight::kSize) continue;
+    EXPECT_LE(difference(page.at(20, 100), value_colour(ValueColours::kViridis, 0.5)), 2);
+    EXPECT_LE(difference(page.at(140, 100), value_colour(ValueColours::kViridis, 1.0)), 2);
+  }
+}
+
 TEST_F(Particles, ShowTheirWeightByAreaWhereAsked) {
   ParticleView view(scene);
   ParticleLook look;

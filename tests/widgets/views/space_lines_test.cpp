@@ -38,6 +38,14 @@ TEST(Dashes, BeginAgainAfterABreakAndAreNoneOfNothing) {
   EXPECT_THROW((void)dashes_of({}, 0.0, 1.0), std::logic_error);
 }
 
+TEST(Dashes, DoNotJoinWhatLiesOnBothSidesOfAStretchThatIsLeftOut) {
+  const auto dashes = dashes_of({{0, 0, 0}, {0.5, 0, 0}, {1e30, 0, 0}, {1e30, 5, 0}}, 1.0, 0.5);
+  ASSERT_GE(dashes.size(), 2U);
+  EXPECT_EQ(dashes[0].back(), Eigen::Vector3d(0.5, 0, 0));
+  EXPECT_EQ(dashes[1].front(), Eigen::Vector3d(1e30, 0, 0));
+  for (const SpacePath& dash : dashes) EXPECT_LE(length_of(dash), 1.0 + 1e-9);
+}
+
 class Lines : public SpacePage {};
 
 TEST_F(Lines, PassThroughTheirPointsAndBreakWhereOneIsNotFinite) {

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/views/legend.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/widgets/views/drawn_chart.h"
+
+namespace nadir {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr PageRect kStrip{10.0, 10.0, 300.0, 40.0};
+
+RecordingCanvas drawn(const LegendEntry& entry, ThemeName name = ThemeName::kLight) {
+  RecordingCanvas canvas;
+  draw_legend(canvas, kStrip, std::vector<LegendEntry>{entry}, theme(name), 2.0);
+  return canvas;
+}
+
+Eigen::AlignedBox2d box_around(const std::vector<Eigen::Vector2d>& points) {
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& point : points) box.extend(point);
+  return box;
+}
+
+TEST(Legend, ShowsEllipsesAsTwoOutlinesOneInsideTheOther) {
+  const Rgba blue{80, 170, 230};
+  const RecordingCanvas canvas = drawn({"ellipses", blue, LegendEntry::Kind::kRings});
+  ASSERT_THAT(canvas.strokes, SizeIs(2));
+  const Eigen::AlignedBox2d outer = box_around(canvas.strokes[0].points);
+  const Eigen::AlignedBox2d inner = box_around(canvas.strokes[1].points);
+  EXPECT_TRUE(outer.contains(inner));
+  EXPECT_GT(outer.sizes().x(), outer.sizes().y());
+  EXPECT_EQ(canvas.strokes[1].style.colour, blue);
+  ASSERT_THAT(canvas.fills, SizeIs(1));  // as faint as on the map, unlike a band
+  EXPECT_LT(canvas.fills[0].colour.alpha, 60);
+  EXPECT_LT(outer.max().x(), canvas.texts.at(0).point.x());
+}
+
+TEST(Legend, ShowsPaleAreasWithAnOutline) {
+  const Theme& light = theme(ThemeName::kLight);
+  const RecordingCanvas canvas =
+      drawn({"unclassified", light.page, LegendEntry::Kind::kOutlinedBar, light.muted});
+  EXPECT_THAT(canvas.fills_in(light.page), SizeIs(1));
+  ASSERT_THAT(canvas.strokes_in(light.muted), SizeIs(1));
+  EXPECT_EQ(box_around(canvas.strokes[0].points).sizes(),
+            box_around(canvas.fills[0].outline).sizes());
+}
+
+TEST(Legend, DrawsNothingBelowItsStrip) {
+  const std::vector<LegendEntry> many(
+      40, {"a name of some length", {0, 0, 0}, LegendEntry::Kind::kRings});
+  RecordingCanvas canvas;
+  draw_legend(canvas, kStrip, many, theme(ThemeName::kDark), 2.0);
+  for (const auto& stroke : canvas.strokes) {
+    EXPECT_GE(box_around(stroke.points).min().y(), kStrip.bottom);
+  }
+  EXPECT_LT(canvas.texts.size(), many.size());
+  canvas = {};
+  draw_legend(canvas, kStrip, {}, theme(ThemeName::kDark), 2.0);
+  EXPECT_THAT(canvas.texts, IsEmpty());
+}
+
+}  // namespace
+}  // namespace nadir
