@@ -112,8 +112,7 @@ TEST_F(TimedFigures, MarkTheMomentInChartsOnlyWhileTheRunLasts) {
 TEST_F(TimedFigures, SpeakOfEllipsesOnlyWhereTheyAreDrawn) {
   for (const char* figure : {"trajectories", "flight"}) {
     FigureRecipe asked = recipe(figure, {drive("a.nadir")});
-    EXPECT_THAT(lines(record(asked)), Contains("ellipses: 1 and 3 sigma"))
-        << figure;
+    EXPECT_THAT(lines(record(asked)), Contains("ellipses: 1 and 3 sigma")) << figure;
     asked.options.ellipse_every_s = 0.0;
     EXPECT_THAT(words(record(asked)), Not(HasSubstr("1 and 3 sigma"))) << figure;
   }

@@ -68,8 +68,9 @@ BarsSpec groups_of(std::vector<std::string> names) {
 }
 
 TEST(GroupTicks, BreakNamesAtSpacesAndCutLongWords) {
-  const Ticks ticks = group_ticks(groups_of({"a", "proving ground", "ein-ganz-überaus-langer-name"}),
-                                  words_of_12_px(), width_of("proving ") + 5.0);
+  const Ticks ticks =
+      group_ticks(groups_of({"a", "proving ground", "ein-ganz-überaus-langer-name"}),
+                  words_of_12_px(), width_of("proving ") + 5.0);
   EXPECT_THAT(ticks.at, ElementsAre(0.0, 1.0, 2.0));
   EXPECT_EQ(ticks.labels[0], "a");
   EXPECT_EQ(ticks.labels[1], "proving\nground");
