@@ -144,6 +144,10 @@ int run_figure(std::span<const std::string> arguments, std::ostream& out, std::o
   }
   const auto recipe = recipe_of(values);
   if (!recipe) return report_flags_error(err, kFigureName, recipe.error());
+  if (recipe->figure == values.figure) {  // asked for by name: then runs are arguments
+    const auto enough = check_run_count(*figure_kind(recipe->figure), recipe->runs.size());
+    if (!enough) return report_misuse(err, kFigureName, enough.error().message);
+  }
   const Interrupt interrupt;
   Result<FigureNotes> notes;
   {

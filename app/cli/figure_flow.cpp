@@ -110,6 +110,9 @@ Result<FigureRecipe> stored_recipe(const fs::path& path) {
     const auto svg = read_text_file(path);
     if (!svg) return forward_error(svg);
     text = svg_metadata(*svg);
+  } else if (ending_of(path) == ".pdf" || ending_of(path) == ".mp4") {
+    return fail(ErrorCode::kUnsupported, "{}: only PNG and SVG figures carry their recipe",
+                path.string());
   } else {
     const auto texts = read_png_texts(path);
     if (!texts) return forward_error(texts);

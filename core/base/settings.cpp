@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <type_traits>
 
@@ -208,21 +207,29 @@ std::string toml_quoted(std::string_view text) {
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
   std::string nearest;
-  std::size_t nearest_distance = std::max<std::size_t>(2, word.size() / 2) + 1;
+  std::size_t nearest_distance = std::max<std::size_t>(1, (word.size() + 1) / 3) + 1;
   for (const std::string& candidate : known) {
-    // Levenshtein distance, one row at a time.
-    std::vector<std::size_t> row(candidate.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < word.size(); ++i) {
-      std::size_t diagonal = row[0]++;
-      for (std::size_t j = 0; j < candidate.size(); ++j) {
-        const std::size_t replaced = diagonal + (word[i] == candidate[j] ? 0 : 1);
-        diagonal = row[j + 1];
-        row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    // Optimal string alignment: Levenshtein's edits, and two letters that have changed places.
+    const std::size_t width = candidate.size() + 1;
+    std::vector<std::size_t> distance((word.size() + 1) * width);
+    const auto at = [&](std::size_t i, std::size_t j) -> std::size_t& {
+      return distance[i * width + j];
+    };
+    for (std::size_t i = 0; i <= word.size(); ++i) {
+      for (std::size_t j = 0; j < width; ++j) {
+        if (i == 0 || j == 0) {
+          at(i, j) = i + j;
+          continue;
+        }
+        const std::size_t replaced = at(i - 1, j - 1) + (word[i - 1] == candidate[j - 1] ? 0 : 1);
+        at(i, j) = std::min({replaced, at(i - 1, j) + 1, at(i, j - 1) + 1});
+        const bool is_swapped =
+            i > 1 && j > 1 && word[i - 1] == candidate[j - 2] && word[i - 2] == candidate[j - 1];
+        if (is_swapped) at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
       }
     }
-    if (row.back() < nearest_distance) {
-      nearest_distance = row.back();
+    if (distance.back() < nearest_distance) {
+      nearest_distance = distance.back();
       nearest = candidate;
     }
   }

@@ -177,7 +177,14 @@ TEST_F(FigureCommand, IsRefusedByOneSentenceBeforeAnyWork) {
                  "--layers: 'truht' is no layer (did you mean truth?)");
   expect_refused({"cdf", "--run", path("run.nadir"), "--out", out, "--width", "300"},
                  "--width: no such flag", 2);
-  expect_refused({"cdf", "--out", out}, "figure 'cdf' needs a run (--run FILE)");
+  expect_refused({"cdf", "--out", out}, "figure 'cdf' needs a run (--run FILE)", 2);
+  expect_refused({"compare", "--run", path("run.nadir"), "--out", out},
+                 "figure 'compare' needs at least 2 runs", 2);
+  expect_refused({"cdf", "--run", path("run.nadir"), "--out", out, "--from", "5", "--to", "2"},
+                 "--from: 5 s is after --to 2 s");
+  expect_refused({"--recreate", path("no.png"), "--out", out}, "no.png: does not exist");
+  expect_refused({"--recreate", path("no.pdf"), "--out", out},
+                 "no.pdf: only PNG and SVG figures carry their recipe");
   expect_refused({"--out", out}, "FIGURE is missing", 2);
   expect_refused({"--recreate", path("run.nadir"), "--run", "r", "--out", out},
                  "exclude each other", 2);

@@ -124,7 +124,10 @@ Result<std::map<std::string, std::string>> read_png_texts(const std::filesystem:
     return fail(ErrorCode::kMalformed, "{}: is a folder and not a PNG image", path.string());
   }
   std::ifstream file(path, std::ios::binary);
-  if (!file) return fail(ErrorCode::kNotFound, "{}: cannot be read", path.string());
+  if (!file) {
+    return fail(ErrorCode::kNotFound, "{}: {}", path.string(),
+                std::filesystem::exists(path, error) ? "cannot be read" : "does not exist");
+  }
   const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   return parse_png_texts(bytes, path.string());
 }

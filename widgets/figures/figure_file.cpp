@@ -17,10 +17,11 @@ Result<PageFacts> facts_of_recipe(const FigureRecipe& recipe,
   if (!hashes) return forward_error(hashes);
   FigureRecipe carried = recipe;
   carried.inputs = std::move(*hashes);
-  return PageFacts{
-      fmt::format("Nadir: {}", kind->summary),
-      fmt::format("# Drawn by Nadir {}; 'nadir figure --recreate FILE' draws it again.\n{}",
-                  kVersion, recipe_text(carried))};
+  return PageFacts{fmt::format("Nadir: {}", kind->summary),
+                   fmt::format("# Drawn by Nadir {}; 'nadir figure' draws it again from this "
+                               "recipe, --recreate from PNG "
+                               "and SVG.\n{}",
+                               kVersion, recipe_text(carried))};
 }
 
 Result<std::string> draw_recipe(const FigureRecipe& recipe,

@@ -6,6 +6,7 @@
 
 #include "core/base/field.h"
 #include "widgets/figures/figure_layers.h"
+#include "widgets/figures/map_crop.h"
 #include "widgets/figures/page_size.h"
 #include "widgets/views/graticule.h"
 #include "widgets/views/theme.h"
@@ -28,7 +29,7 @@ struct FigureOptions {
   bool is_transparent = false;
   double time_s = 1e9;
   double from_s = 0.0, to_s = 1e9;
-  double crop_east_m = 0.0, crop_north_m = 0.0, crop_width_m = 0.0;
+  MapCrop crop;
   FigureLayers layers;
   double label_opacity = 0.0;
   double ellipse_every_s = 5.0;
@@ -53,13 +54,9 @@ void visit_fields(Options& options, Visitor&& visit) {
         Field{"time", "s", "Moment shown, after the first step; past the end is the end", 0, 1e9});
   visit(options.from_s, Field{"from", "s", "Steps before this time are left out", 0, 1e9});
   visit(options.to_s, Field{"to", "s", "Steps after this time are left out", 0, 1e9});
-  visit(options.crop_east_m,
-        Field{"crop-east", "m", "Middle of the map's crop, east on the plane", -1e6, 1e6});
-  visit(options.crop_north_m,
-        Field{"crop-north", "m", "Middle of the map's crop, north on the plane", -1e6, 1e6});
-  visit(options.crop_width_m,
-        Field{"crop-width", "m", "Ground across the map; 0 shows all that belongs to the figure", 0,
-              1e6});
+  visit(options.crop, Field{"crop", "m",
+                            "Ground across the map, around a point of its plane or the middle of "
+                            "what the figure shows"});
   visit(options.layers,
         Field{"layers", "",
               "Shown on maps where they are known: picture, truth, odometry, estimate, "

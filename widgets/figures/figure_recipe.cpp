@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/figures/figure_recipe.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "core/base/settings.h"
@@ -30,8 +32,12 @@ Result<void> take_options(const Settings& settings, FigureOptions& into) {
   const auto options = settings.table("options");
   if (!options) return forward_error(options);
   for (const std::string& key : options->keys()) {
-    const auto text = options->scalar_as_text(key);
-    if (!text) return forward_error(text);
+    auto text = options->scalar_as_text(key);
+    if (!text) {  // a list, as of layers
+      const auto words = options->texts(key);
+      if (!words) return forward_error(text);
+      text = fmt::format("{}", fmt::join(*words, ","));
+    }
     if (auto set = set_option(into, key, *text); !set) return forward_error(set, options->name());
   }
   return {};

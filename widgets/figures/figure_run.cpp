@@ -38,8 +38,10 @@ Result<FigureRun> open_figure_run(const fs::path& path, const FigureOptions& opt
     }
   }
   if (run.steps.empty()) {
-    return fail(ErrorCode::kMalformed, "{}: has no step from {:g} s to {:g} s after its start",
-                path.string(), options.from_s, options.to_s);
+    return fail(ErrorCode::kMalformed,
+                "{}: has no step from {:g} s to {:g} s after its start; it ends after {:g} s",
+                path.string(), options.from_s, std::min(options.to_s, run.elapsed_s(steps->back())),
+                run.elapsed_s(steps->back()));
   }
   run.judged.reserve(run.steps.size());
   std::transform(run.steps.begin(), run.steps.end(), std::back_inserter(run.judged),
@@ -75,6 +77,14 @@ std::string foot_of(const FigureRun& run) {
         " · {} alignment · {} matched pairs, {} steps dropped",
         evaluation.alignment == Alignment::kNone ? "no" : enum_name(evaluation.alignment),
         evaluation.matched_pairs, evaluation.dropped_steps);
+    if (evaluation.estimate) {
+      text += fmt::format(" · position RMSE {:.2f} m",
+                          evaluation.estimate->position_m.root_mean_square);
+      if (evaluation.odometry) {
+        text +=
+            fmt::format(", odometry {:.2f} m", evaluation.odometry->position_m.root_mean_square);
+      }
+    }
   } else {
     text += fmt::format(" · {} steps, no truth", run.steps.size());
   }

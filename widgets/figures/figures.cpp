@@ -130,8 +130,9 @@ constexpr std::array<FigureKind, 14> kFigures{{
      make_compare},
 }};
 
-Result<void> check_runs(const FigureKind& kind, const FigureRecipe& recipe) {
-  const std::size_t count = recipe.runs.size();
+}  // namespace
+
+Result<void> check_run_count(const FigureKind& kind, std::size_t count) {
   if (count < kind.fewest_runs) {
     return fail(ErrorCode::kInvalidOptions, "figure '{}' needs {}", kind.name,
                 kind.fewest_runs == 1 ? "a run (--run FILE)"
@@ -143,8 +144,6 @@ Result<void> check_runs(const FigureKind& kind, const FigureRecipe& recipe) {
   }
   return {};
 }
-
-}  // namespace
 
 std::span<const FigureKind> figure_kinds() { return kFigures; }
 
@@ -183,11 +182,9 @@ namespace {
 
 Result<void> check_request(const FigureKind& kind, const FigureRecipe& recipe) {
   if (auto valid = validate(recipe.options); !valid) return valid;
-  constexpr double kLeastCropM = 0.1;  // less is no ground that a map could show, and no ticks fit
-  const double crop_m = recipe.options.crop_width_m;
-  if (crop_m > 0.0 && crop_m < kLeastCropM) {
-    return fail(ErrorCode::kInvalidOptions, "--crop-width: {} is neither 0 nor at least {} m",
-                crop_m, kLeastCropM);
+  if (recipe.options.from_s > recipe.options.to_s) {
+    return fail(ErrorCode::kInvalidOptions, "--from: {:g} s is after --to {:g} s",
+                recipe.options.from_s, recipe.options.to_s);
   }
   constexpr double kLeastWidthPt = 100.0;
   constexpr double kLeastHeightPt = 60.0;
@@ -198,7 +195,7 @@ Result<void> check_request(const FigureKind& kind, const FigureRecipe& recipe) {
                 "a page of {} x {} pixels at {:g} dpi is too small for a figure (--size, --dpi)",
                 page.width, page.height, page.dpi);
   }
-  return check_runs(kind, recipe);
+  return check_run_count(kind, recipe.runs.size());
 }
 
 Result<std::vector<FigureRun>> open_runs(const FigureKind& kind,

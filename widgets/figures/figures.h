@@ -48,6 +48,9 @@ struct FigureKind {
 /// @errors kInvalidOptions: no such figure, naming the nearest.
 [[nodiscard]] Result<FigureKind> figure_kind(std::string_view name);
 
+/// @errors kInvalidOptions: too few or too many runs, saying how many the figure needs.
+[[nodiscard]] Result<void> check_run_count(const FigureKind& kind, std::size_t count);
+
 /// Opens what the recipe names and makes the figure. @errors as its files; kInvalidOptions: too few or too many runs;
 /// kMalformed: "R.nadir: has no truth, which figure 'flight' needs", and a run on another plane than the map that it is to
 /// be drawn on; kCancelled.

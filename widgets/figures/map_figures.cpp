@@ -179,9 +179,9 @@ Result<std::unique_ptr<Figure>> make_labels(
   if (!provenance) return forward_error(provenance);
   auto panel = MapPanel::create(inputs.map, MapPanel::Ground::kLabels, inputs.options);
   if (!panel) return forward_error(panel);
-  const std::string shares = inputs.options.crop_width_m > 0.0
-                                 ? " · shares are of the whole map, not of the part shown"
-                                 : " · share of all cells";
+  const std::string shares = inputs.options.crop.is_all()
+                                 ? " · share of all cells"
+                                 : " · shares are of the whole map, not of the part shown";
   return std::make_unique<LabelsFigure>(std::move(*panel), class_legend(*map, true),
                                         provenance_text(*provenance) + shares);
 }

@@ -92,17 +92,17 @@ void MapPanel::show_square(const Eigen::Vector2d& centre_in_enu_m, double side_m
 }
 
 bool MapPanel::shows_whole_map() const {
-  return options_.crop_width_m == 0.0 && (shown_.isEmpty() || shown_.isApprox(bounds_));
+  return options_.crop.is_all() && (shown_.isEmpty() || shown_.isApprox(bounds_));
 }
 
 MapCamera MapPanel::camera_for(const PageRect& where) const {
-  if (options_.crop_width_m > 0.0) {
+  const Eigen::AlignedBox2d& shown = shown_.isEmpty() ? bounds_ : shown_;
+  if (!options_.crop.is_all()) {
     MapCamera camera;
-    camera.centre_in_enu_m = {options_.crop_east_m, options_.crop_north_m};
-    camera.metres_per_px = options_.crop_width_m / where.width;
+    camera.centre_in_enu_m = options_.crop.centre_in_enu_m.value_or(shown.center());
+    camera.metres_per_px = options_.crop.width_m / where.width;
     return camera;
   }
-  const Eigen::AlignedBox2d& shown = shown_.isEmpty() ? bounds_ : shown_;
   // Paths keep away from the border; the map as a whole fills the panel.
   const double margin = shows_whole_map() ? 0.0 : 0.08;
   return MapCamera::fit(shown.min(), shown.max(), where, margin);
@@ -169,7 +169,7 @@ Result<void> MapPanel::render(FigureContext& context, const GroundState& wanted)
 
 void MapPanel::keep_on_map(MapFrame& frame) const {
   // What lies beside the map is shown only where something to be shown does.
-  if (options_.crop_width_m > 0.0 || shown_.isEmpty() || !bounds_.contains(shown_)) return;
+  if (!options_.crop.is_all() || shown_.isEmpty() || !bounds_.contains(shown_)) return;
   PageRect& where = frame.where;
   MapCamera& camera = frame.camera;
   const Eigen::Vector2d map_px = bounds_.sizes() / camera.metres_per_px;

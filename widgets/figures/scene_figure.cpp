@@ -166,15 +166,14 @@ class Scene : public TimedFigure {
     constexpr double kAheadM = 7.0;
     constexpr double kAsideRad = 0.2;
     SpaceCamera camera;
-    const double crop_m = options().crop_width_m;
-    const Eigen::Vector2d target =
-        crop_m > 0.0 ? Eigen::Vector2d(options().crop_east_m, options().crop_north_m)
-                     : pose_ * Eigen::Vector2d(kAheadM, 0.0);
+    const MapCrop& crop = options().crop;
+    const Eigen::Vector2d ahead = pose_ * Eigen::Vector2d(kAheadM, 0.0);
+    const Eigen::Vector2d target = crop.centre_in_enu_m.value_or(ahead);
     camera.target_in_enu_m = {target.x(), target.y(), 0.0};
     camera.yaw_rad = pose_.yaw_rad + kAsideRad;
     camera.down_rad = 0.5;
     camera.view_rad = 0.6;
-    camera.distance_m = camera.distance_to_show(crop_m > 0.0 ? crop_m : kWidthM, where);
+    camera.distance_m = camera.distance_to_show(crop.is_all() ? kWidthM : crop.width_m, where);
     return camera;
   }
 

@@ -189,6 +189,8 @@ TEST(NearestWord, FindsTheWordThatWasMeant) {
 TEST(NearestWord, IsSilentWhereNoneIsNear) {
   EXPECT_EQ(nearest_word("zzzzzzzz", {"localise", "evaluate"}), "");
   EXPECT_EQ(nearest_word("word", {}), "");
+  EXPECT_EQ(nearest_word("out", {"route", "runs"}), "");
+  EXPECT_EQ(nearest_word("classes", {"closed"}), "");
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TEST(FigureRecipe, ReadsWhatItWrites) {
   recipe.options.size = {801, 400};
   recipe.options.theme = ThemeName::kDark;
   recipe.options.is_transparent = true;
-  recipe.options.crop_east_m = -12.25;
+  recipe.options.crop = {40.0, Eigen::Vector2d(-12.25, 3.0)};
   recipe.options.layers.set(FigureLayer::kParticles, false);
   recipe.options.graticule = Graticule::kDegrees;
   recipe.inputs = {{"00ff", "01ff"}, "ab", "cd"};
@@ -39,7 +39,7 @@ TEST(FigureRecipe, ReadsWhatItWrites) {
   EXPECT_EQ(read->options.size, recipe.options.size);
   EXPECT_EQ(read->options.theme, ThemeName::kDark);
   EXPECT_TRUE(read->options.is_transparent);
-  EXPECT_DOUBLE_EQ(read->options.crop_east_m, -12.25);
+  EXPECT_EQ(read->options.crop, recipe.options.crop);
   EXPECT_EQ(read->options.layers, recipe.options.layers);
   EXPECT_THAT(read->inputs.runs, ElementsAre("00ff", "01ff"));
   EXPECT_EQ(read->inputs.map, "ab");
@@ -62,6 +62,7 @@ TEST(FigureRecipe, QuotesWordsAndNotNumbersOfEveryOption) {
       other = option.range.substr(option.range.rfind(' ') + 1);
     }
     if (option.name == "size") other = "300";
+    if (option.name == "crop") other = "30@1,2";
     if (option.name == "layers") other = "truth";
     if (option.name == "label-opacity") other = "0.5";
     ASSERT_TRUE(set_option(recipe.options, option.name, other).has_value()) << option.name;
@@ -194,6 +195,44 @@ TEST(ChangedInputs, NameThePictureOfAMapWhereItIsShown) {
   const auto again = parse_figure_recipe(recipe_text(recipe), "r");
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(again->inputs.picture, "01");
+}
+
+TEST(MapCropOption, IsAWidthWithOrWithoutAPoint) {
+  FigureOptions options;
+  EXPECT_EQ(options.crop.text(), "all");
+  ASSERT_TRUE(set_option(options, "crop", "40.5"));
+  EXPECT_EQ(options.crop, (MapCrop{40.5, std::nullopt}));
+  ASSERT_TRUE(set_option(options, "crop", "40@12.5,-30"));
+  EXPECT_EQ(options.crop, (MapCrop{40.0, Eigen::Vector2d(12.5, -30.0)}));
+  EXPECT_EQ(options.crop.text(), "40@12.5,-30");
+  ASSERT_TRUE(set_option(options, "crop", "all"));
+  EXPECT_TRUE(options.crop.is_all());
+}
+
+TEST(MapCropOption, IsRefusedByOneSentence) {
+  const auto fault_of = [](const char* text) {
+    const auto crop = MapCrop::from_text(text);
+    if (!crop) return crop.error().message;
+    const auto checked = crop->check();
+    return checked ? std::string("none") : checked.error().message;
+  };
+  for (const char* text : {"", "wide", "40,3", "40@", "40@1", "40@1,", "40@1,x", "nan", "4 0"}) {
+    EXPECT_EQ(fault_of(text), fmt::format("'{}' is neither all, WIDTH nor WIDTH@EAST,NORTH in "
+                                          "metres",
+                                          text));
+  }
+  EXPECT_EQ(fault_of("0"), "a width of 0 m shows nothing");
+  EXPECT_EQ(fault_of("1e-13"), "a width of 1e-13 m is not in [0.1, 1e+06]");
+  EXPECT_EQ(fault_of("-4"), "a width of -4 m is not in [0.1, 1e+06]");
+  EXPECT_EQ(fault_of("4@2e6,0"), "2e+06,0 is more than 1e+06 m from the map's origin");
+  EXPECT_EQ(fault_of("4@1e6,-1e6"), "none");
+}
+
+TEST(FigureRecipe, TakesLayersAsAList) {
+  const auto recipe = parse_figure_recipe(
+      "figure = \"moment\"\n[options]\nlayers = [\"truth\", \"picture\"]\n", "r.toml");
+  ASSERT_TRUE(recipe) << recipe.error().message;
+  EXPECT_EQ(recipe->options.layers.text(), "picture,truth");
 }
 
 }  // namespace

@@ -38,6 +38,9 @@ TEST_F(OpenedRun, SaysInItsFootWhetherItWasStoppedBeforeItsEnd) {
   EXPECT_FALSE(killed.evaluation.is_complete);
   EXPECT_THAT(foot_of(killed), HasSubstr(" · stopped before its end · "));
   EXPECT_THAT(foot_of(killed), HasSubstr("10 matched pairs"));
+  EXPECT_THAT(foot_of(killed),
+              HasSubstr(fmt::format("position RMSE {:.2f} m",
+                                    killed.evaluation.estimate->position_m.root_mean_square)));
 }
 
 TEST_F(OpenedRun, IsSaidToBeStoppedAlsoWhereTheFootNamesOnlyTheFirstRuns) {

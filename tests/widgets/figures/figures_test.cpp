@@ -127,10 +127,10 @@ TEST_F(Figures, AreRefusedByOneSentence) {
   EXPECT_THAT(fault(huge), HasSubstr("--size: a width of 100000 is not in [200, 16000]"));
   FigureRecipe never = recipe("flight", {run});
   never.options.from_s = 500.0;
-  EXPECT_THAT(fault(never), HasSubstr("has no step from 500 s"));
+  EXPECT_THAT(fault(never), HasSubstr("has no step from 500 s to "));
   FigureRecipe tiny = recipe("labels", {});
-  tiny.options.crop_width_m = 1e-13;
-  EXPECT_EQ(fault(tiny), "--crop-width: 1e-13 is neither 0 nor at least 0.1 m");
+  tiny.options.crop.width_m = 1e-13;
+  EXPECT_EQ(fault(tiny), "--crop: a width of 1e-13 m is not in [0.1, 1e+06]");
   FigureRecipe nothing = recipe("labels", {});
   nothing.map.clear();
   EXPECT_EQ(fault(nothing), "figure 'labels' needs a map (--map FOLDER)");

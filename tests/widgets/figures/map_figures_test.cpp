@@ -101,7 +101,7 @@ TEST_F(MapFigures, LabelsOfAPartSayThatSharesAreOfTheWhole) {
   write_street(scratch_.path() / "map");
   FigureRecipe asked = recipe("labels");
   EXPECT_THAT(words(drawn(asked)), Not(HasSubstr("whole map")));
-  asked.options.crop_width_m = 20.0;
+  asked.options.crop.width_m = 20.0;
   EXPECT_THAT(words(drawn(asked)), HasSubstr("whole map"));
 }
 
@@ -137,9 +137,7 @@ TEST_F(MapFigures, RouteHasBadgesOnlyOfWaypointsOnThePartShown) {
   FigureRecipe asked = recipe("route");
   const RecordedPage whole = drawn(asked);
   for (const char* name : {"A", "B", "C", "D"}) EXPECT_TRUE(whole.has_text(name)) << name;
-  asked.options.crop_width_m = 12.0;  // of the middle, where no waypoint is
-  asked.options.crop_east_m = 20.0;
-  asked.options.crop_north_m = 20.0;
+  asked.options.crop = {12.0, Eigen::Vector2d(20.0, 20.0)};  // where no waypoint is
   const RecordedPage part = drawn(asked);
   for (const auto& text : part.texts) {
     EXPECT_NE(text.line, "A");
@@ -151,9 +149,7 @@ TEST_F(MapFigures, RouteHasAnArrowInTheMiddleOfWhatIsSeenOfEachPiece) {
   write_street(scratch_.path() / "map");
   const auto arrows_of = [this](const std::string& places) {
     FigureRecipe asked = recipe("route", "name = \"far\"\n" + places);
-    asked.options.crop_width_m = 16.0;
-    asked.options.crop_east_m = 30.0;
-    asked.options.crop_north_m = 20.0;
+    asked.options.crop = {16.0, Eigen::Vector2d(30.0, 20.0)};
     RecordingCanvas canvas;
     auto figure = make_figure(asked);
     EXPECT_TRUE(figure.has_value());

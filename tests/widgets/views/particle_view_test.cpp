@@ -29,7 +29,7 @@ ParticleSet cloud(std::uint32_t count, double side_m) {
   std::vector<Rigid2> poses;
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto [u, v] = uniforms({.seed = 5, .particle = i});
-    poses.emplace_back(1000.0 + side_m * (u - 0.5), 2000.0 + side_m * (v - 0.5), u);
+    poses.push_back({1000.0 + side_m * (u - 0.5), 2000.0 + side_m * (v - 0.5), u});
   }
   return set_of(poses);
 }
