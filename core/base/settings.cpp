@@ -228,8 +228,11 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
         if (is_swapped) at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
       }
     }
-    if (distance.back() < nearest_distance) {
-      nearest_distance = distance.back();
+    // A word that was not written to its end is near.
+    const bool is_begun = word.size() > 2 && candidate.compare(0, word.size(), word) == 0;
+    const std::size_t found = is_begun ? 1 : distance.back();
+    if (found < nearest_distance) {
+      nearest_distance = found;
       nearest = candidate;
     }
   }

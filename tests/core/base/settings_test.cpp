@@ -184,6 +184,7 @@ TEST(NearestWord, FindsTheWordThatWasMeant) {
   EXPECT_EQ(nearest_word("evalute", known), "evaluate");
   EXPECT_EQ(nearest_word("simulate", known), "simulate");
   EXPECT_EQ(nearest_word("mpa", known), "map");
+  EXPECT_EQ(nearest_word("focal_x", {"focal_y_px", "focal_x_px"}), "focal_x_px");
 }
 
 TEST(NearestWord, IsSilentWhereNoneIsNear) {
