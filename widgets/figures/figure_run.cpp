@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/run/evaluate_run.h"
+#include "widgets/figures/place_beside.h"
 
 namespace nadir {
 namespace fs = std::filesystem;
@@ -56,11 +57,7 @@ Result<FigureRun> open_figure_run(const fs::path& path, const FigureOptions& opt
 
 Result<fs::path> find_map_of(const FigureRun& run) {
   const fs::path named = run.reader->header().map_path;
-  const fs::path last = named.has_filename() ? named.filename() : named.parent_path().filename();
-  std::error_code error;
-  for (const fs::path& candidate : {named, run.path.parent_path() / last}) {
-    if (!candidate.empty() && fs::exists(candidate / "map.toml", error)) return candidate;
-  }
+  if (auto place = place_beside(run.path, named, "map.toml")) return *place;
   return fail(ErrorCode::kNotFound, "{}: its map {} is not there; name one with --map",
               run.path.string(), named.string());
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/flight/colour_image.h"
+#include "widgets/figures/place_beside.h"
 #include "widgets/views/raster_pictures.h"
 
 namespace nadir {
@@ -19,11 +20,7 @@ bool has_cloud(const FlightFrame& frame) {
 
 Result<fs::path> find_flight_of(const FigureRun& run) {
   const fs::path named = run.reader->header().flight_path;
-  const fs::path last = named.has_filename() ? named.filename() : named.parent_path().filename();
-  std::error_code error;
-  for (const fs::path& candidate : {named, run.path.parent_path() / last}) {
-    if (!candidate.empty() && !last.empty() && fs::exists(candidate, error)) return candidate;
-  }
+  if (auto place = place_beside(run.path, named)) return *place;
   return fail(ErrorCode::kNotFound,
               "{}: its flight {} is not there, and the figure shows what its camera saw",
               run.path.string(), named.string());

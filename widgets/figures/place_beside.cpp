@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/figures/place_beside.h"
+
+#include <system_error>
+
+namespace nadir {
+namespace fs = std::filesystem;
+
+std::optional<fs::path> place_beside(const fs::path& run,
+                                     const fs::path& named,
+                                     const fs::path& holding) {
+  const fs::path last = named.has_filename() ? named.filename() : named.parent_path().filename();
+  if (last.empty()) return std::nullopt;
+  std::error_code error;
+  for (const fs::path& candidate : {named, run.parent_path() / last}) {
+    if (fs::exists(holding.empty() ? candidate : candidate / holding, error)) return candidate;
+  }
+  return std::nullopt;
+}
+
+}  // namespace nadir
