@@ -16,7 +16,7 @@ namespace nadir::cli {
 namespace {
 
 struct LocaliseArguments {
-  std::string flight, map, run, trajectory, preset = "default", recipe, prior, prior_sigma;
+  std::string flight, map, run, trajectory, preset, recipe, prior, prior_sigma, from;
   bool is_global = false, is_json = false, is_quiet = false;
   bool has_no_particles = false, has_no_topviews = false;
   int threads = 0;
@@ -37,7 +37,16 @@ void add_start_flags(CLI::App& app, LocaliseArguments& values) {
                  "2.24,28.6")
       ->type_name("METRES,DEGREES")
       ->needs(prior);
-  app.add_flag("--global", values.is_global, "Nothing is known about the start")->excludes(prior);
+  CLI::Option* global =
+      app.add_flag("--global", values.is_global, "Nothing is known about the start")
+          ->excludes(prior);
+  app.add_option("--from", values.from,
+                 "Go on from a recorded run of this flight, so many seconds after its first step, "
+                 "with the particles it had; its steps before that come first in the new run, and "
+                 "its options hold where no flag, preset or recipe says otherwise")
+      ->type_name("RUN@SECONDS")
+      ->excludes(prior)
+      ->excludes(global);
 }
 
 void add_arguments(CLI::App& app, LocaliseArguments& values) {
@@ -81,7 +90,9 @@ void add_arguments(CLI::App& app, LocaliseArguments& values) {
   app.footer(
       "Without --prior and --global the flight starts at its own truth, with the\n"
       "default of --prior-sigma.\n"
-      "Example: nadir localise flight --map maps/proving-ground --out run.nadir");
+      "Example: nadir localise flight --map maps/proving-ground --out run.nadir\n"
+      "What if, from 30 s on: nadir localise flight --map maps/proving-ground \\\n"
+      "         --from run.nadir@30 --position-noise 2 --out what-if.nadir");
 }
 
 Result<std::optional<Prior>> prior_of(const LocaliseArguments& values) {
@@ -104,10 +115,30 @@ Result<std::optional<Prior>> prior_of(const LocaliseArguments& values) {
   return std::optional<Prior>(prior);
 }
 
-/// The trajectory must not take the place of another file of this command line. @errors kInvalidOptions.
-Result<void> check_outputs(const LocaliseArguments& values) {
-  for (const auto& [file, what] : {std::pair(values.run, "the run file of --out"),
-                                   std::pair(values.recipe, "the recipe to read")}) {
+/// "RUN@SECONDS"; a name may hold an @ of its own. @errors kInvalidOptions.
+Result<std::optional<LocaliseFrom>> from_of(const LocaliseArguments& values) {
+  if (values.from.empty()) return std::optional<LocaliseFrom>();
+  const auto at = values.from.rfind('@');
+  const auto refuse = [&] {
+    return fail(ErrorCode::kInvalidOptions,
+                "--from: '{}' is not a run file and a time in seconds, RUN@SECONDS", values.from);
+  };
+  if (at == std::string::npos || at == 0) return refuse();
+  const auto seconds = parse_list("--from", values.from.substr(at + 1), 1);
+  if (!seconds) return refuse();
+  return std::optional(LocaliseFrom{values.from.substr(0, at), seconds->front()});
+}
+
+/// No output may take the place of another file of this command line. @errors kInvalidOptions.
+Result<void> check_outputs(const LocaliseArguments& values,
+                           const std::optional<LocaliseFrom>& from) {
+  if (from && names_same_file(values.run, from->run)) {
+    return fail(ErrorCode::kInvalidOptions, "--out: {} is the run of --from", values.run);
+  }
+  for (const auto& [file, what] :
+       {std::pair(values.run, "the run file of --out"),
+        std::pair(values.recipe, "the recipe to read"),
+        std::pair(from ? from->run.string() : "", "the run of --from")}) {
     if (names_same_file(values.trajectory, file)) {
       return fail(ErrorCode::kInvalidOptions, "--trajectory: {} is {}", values.trajectory, what);
     }
@@ -115,18 +146,33 @@ Result<void> check_outputs(const LocaliseArguments& values) {
   return {};
 }
 
-/// @errors kInvalidOptions where the command line is at fault, other codes where a recipe is.
-Result<LocaliseTask> task_of(const LocaliseArguments& values) {
+/// What the run of --from was made with. @errors  Of the file, never kInvalidOptions.
+Result<void> take_options(const LocaliseFrom& from, LocaliseTask& task) {
+  const auto run = RunReader::open(from.run);
+  if (!run) return tl::unexpected(blame_file(run.error().within("--from")));
+  const auto options = recorded_options(run->header());
+  if (!options) return forward_error(options, "--from: " + from.run.string());
+  task.preset = run->header().preset;
+  task.request.options = *options;
+  return {};
+}
+
+/// @errors kInvalidOptions where the command line is at fault, other codes where a recipe or a run is.
+Result<LocaliseTask> task_of(const LocaliseArguments& values,
+                             const std::optional<LocaliseFrom>& from) {
   LocaliseTask task;
+  task.from = from;
   task.flight = values.flight;
   task.map = values.map;
   if (!values.run.empty()) task.run = values.run;
   if (!values.trajectory.empty()) task.trajectory = values.trajectory;
   task.is_quiet = values.is_quiet;
-  if (values.recipe.empty()) {
-    const auto options = run_preset(values.preset);
+  if (from && values.recipe.empty() && values.preset.empty()) {
+    if (const auto taken = take_options(*from, task); !taken) return forward_error(taken);
+  } else if (values.recipe.empty()) {
+    if (!values.preset.empty()) task.preset = values.preset;
+    const auto options = run_preset(task.preset);
     if (!options) return forward_error(options);
-    task.preset = values.preset;
     task.request.options = *options;
   } else {
     const auto recipe = read_run_recipe(values.recipe);
@@ -157,10 +203,12 @@ int run_localise(std::span<const std::string> arguments, std::ostream& out, std:
   LocaliseArguments values;
   add_arguments(app, values);
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
-  if (const auto checked = check_outputs(values); !checked) {
+  const auto from = from_of(values);
+  if (!from) return report_misuse(err, kLocaliseName, from.error().message);
+  if (const auto checked = check_outputs(values, *from); !checked) {
     return report_misuse(err, kLocaliseName, checked.error().message);
   }
-  const auto task = task_of(values);
+  const auto task = task_of(values, *from);
   if (!task) return report_flags_error(err, kLocaliseName, task.error());
 
   const ThreadLimit limit(values.threads);

@@ -83,11 +83,21 @@ class Recorder {
  public:
   Recorder(const LocaliseTask& task, RunHeader header) : task_(task), header_(std::move(header)) {}
 
+  /// Steps of the run that this one goes on from: they come before its own.
+  void begin_after(std::vector<RunStep> earlier) {
+    earlier_ = std::move(earlier);
+    for (const RunStep& step : earlier_) steps_.push_back(evaluated_step(step));
+  }
+
   Result<void> record(const RunStep& step) {
     if (task_.run && !writer_) {  // not before there is something to write
       auto created = RunWriter::create(*task_.run, header_);
       if (!created) return forward_error(created);
       writer_.emplace(std::move(*created));
+      if (!earlier_.empty()) {
+        auto copied = writer_->copy_steps(task_.from->run, earlier_);
+        if (!copied) return copied;
+      }
     }
     steps_.push_back(evaluated_step(step));
     last_.estimate = step.estimate;
@@ -130,9 +140,27 @@ class Recorder {
   const LocaliseTask& task_;
   RunHeader header_;
   std::optional<RunWriter> writer_;
+  std::vector<RunStep> earlier_;
   std::vector<EvaluatedStep> steps_;
   RunStep last_;
 };
+
+/// A run from which to go on, opened.
+struct EarlierSteps {
+  ResumePoint point;
+  std::vector<RunStep> steps;  ///< All up to the point.
+};
+
+Result<EarlierSteps> read_earlier(const LocaliseFrom& from) {
+  const auto run = RunReader::open(from.run);
+  if (!run) return forward_error(run);
+  auto point = resume_point(*run, from.run.string(), from.elapsed_s);
+  if (!point) return forward_error(point);
+  auto steps = run->steps();
+  if (!steps) return forward_error(steps);
+  std::erase_if(*steps, [&](const RunStep& step) { return step.step > point->after.step; });
+  return EarlierSteps{std::move(*point), std::move(*steps)};
+}
 
 }  // namespace
 
@@ -162,8 +190,21 @@ Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task,
   const auto index =
       std::make_shared<const MapIndex>(std::make_shared<const OverheadMap>(std::move(*map)));
 
-  Recorder recorder(
-      task, run_header(**flight, index->map(), map_path.string(), task.preset, task.request));
+  LocaliseRequest request = task.request;
+  std::vector<RunStep> earlier_steps;
+  if (task.from) {
+    auto earlier = read_earlier(*task.from);
+    if (!earlier) return forward_error(earlier, "--from");
+    if (!task.is_quiet) {
+      err << fmt::format("goes on from step {}, {:.2f} s, of {}\n", earlier->point.after.step,
+                         earlier->point.elapsed_s, earlier->point.run);
+    }
+    request.resume_after = std::move(earlier->point);
+    earlier_steps = std::move(earlier->steps);
+  }
+  Recorder recorder(task,
+                    run_header(**flight, index->map(), map_path.string(), task.preset, request));
+  recorder.begin_after(std::move(earlier_steps));
   Result<LocaliseSummary> summary;
   {
     ProgressBar bar(err, task.is_quiet);
@@ -172,7 +213,7 @@ Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task,
                                 bar.show(fraction, activity);
                               }};
     summary = localise_flight(
-        **flight, index, task.request,
+        **flight, index, request,
         [&recorder](const RunStep& step) { return recorder.record(step); }, context);
   }
   if (!summary && summary.error().code == ErrorCode::kCancelled && recorder.step_count() > 0) {

@@ -18,7 +18,9 @@ set(NADIR_PRIVATE_HEADERS
   core/map/label_tiff.h
   core/map/map_warp.h
   core/map/squared_distances.h
+  core/mcl/cost_rows.h
   core/mcl/pose_bins.h
+  core/run/copied_blobs.h
   core/run/earlier_run.h
   core/run/run_blobs.h
   core/run/run_connection.h
@@ -27,7 +29,17 @@ set(NADIR_PRIVATE_HEADERS
   core/run/run_lock.h
   core/run/run_row.h
   core/run/run_schema.h
+  core/run/run_start.h
   core/run/sqlite_database.h
+  core/session/cache_shelf.h
+  core/session/cache_worker.h
+  core/session/cursor_order.h
+  core/session/moment_episodes.h
+  core/session/moment_tracking.h
+  core/session/run_metrics.h
+  core/session/session_core.h
+  core/session/settings_values.h
+  core/session/step_decoder.h
   core/sim/column_ray.h
   core/sim/ground.h
   core/sim/object_kind.h

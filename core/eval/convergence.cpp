@@ -10,6 +10,7 @@ namespace nadir {
 namespace {
 
 struct Moment {
+  std::size_t step = 0;
   double time_s = 0.0;
   double travelled_m = 0.0;
   double error_m = 0.0;
@@ -21,10 +22,11 @@ std::vector<Moment> moments_with_truth(std::span<const EvaluatedStep> steps,
                                        const ConvergenceRule& rule) {
   std::vector<Moment> moments;
   Eigen::Vector2d last_truth_in_enu = Eigen::Vector2d::Zero();
-  for (const EvaluatedStep& step : steps) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const EvaluatedStep& step = steps[i];
     if (!step.truth_in_enu) continue;
     const Eigen::Vector2d truth_in_enu = step.truth_in_enu->translation_m();
-    Moment moment{.time_s = step.time_s};
+    Moment moment{.step = i, .time_s = step.time_s};
     if (!moments.empty()) {
       moment.travelled_m = moments.back().travelled_m + (truth_in_enu - last_truth_in_enu).norm();
     }
@@ -47,30 +49,56 @@ void mark_converged(std::vector<Moment>& moments, double held_for_m) {
   }
 }
 
+/// A moment at which tracking began or ended.
+struct Change {
+  const Moment* moment;
+  bool is_found;
+};
+
+std::vector<Change> changes_of(const std::vector<Moment>& moments, const ConvergenceRule& rule) {
+  std::vector<Change> changes;
+  bool is_tracking = false;
+  for (const Moment& moment : moments) {
+    const bool changes_now = is_tracking ? moment.error_m >= rule.lost_from_m : moment.is_converged;
+    if (!changes_now) continue;
+    is_tracking = !is_tracking;
+    changes.push_back({&moment, is_tracking});
+  }
+  return changes;
+}
+
 }  // namespace
+
+std::vector<TrackingChange> find_tracking_changes(std::span<const EvaluatedStep> steps,
+                                                  const ConvergenceRule& rule) {
+  std::vector<Moment> moments = moments_with_truth(steps, rule);
+  mark_converged(moments, rule.held_for_m);
+  std::vector<TrackingChange> changes;
+  for (const Change& change : changes_of(moments, rule)) {
+    changes.push_back({change.moment->step, change.is_found});
+  }
+  return changes;
+}
 
 Convergence find_convergence(std::span<const EvaluatedStep> steps, const ConvergenceRule& rule) {
   Convergence result;
   std::vector<Moment> moments = moments_with_truth(steps, rule);
   mark_converged(moments, rule.held_for_m);
-  bool is_tracking = false;
+  bool is_lost = false;
   double lost_since_m = 0.0;
-  for (const Moment& moment : moments) {
-    if (!is_tracking && moment.is_converged) {
-      is_tracking = true;
-      if (result.after_s) {
-        result.lost_m += moment.travelled_m - lost_since_m;
-      } else {
-        result.after_s = moment.time_s - steps.front().time_s;
-        result.after_m = moment.travelled_m;
-      }
-    } else if (is_tracking && moment.error_m >= rule.lost_from_m) {
-      is_tracking = false;
+  for (const auto& [moment, is_found] : changes_of(moments, rule)) {
+    if (!is_found) {
       ++result.lost_stretches;
-      lost_since_m = moment.travelled_m;
+      lost_since_m = moment->travelled_m;
+    } else if (is_lost) {
+      result.lost_m += moment->travelled_m - lost_since_m;
+    } else {
+      result.after_s = moment->time_s - steps.front().time_s;
+      result.after_m = moment->travelled_m;
     }
+    is_lost = !is_found;
   }
-  if (result.after_s && !is_tracking) result.lost_m += moments.back().travelled_m - lost_since_m;
+  if (is_lost) result.lost_m += moments.back().travelled_m - lost_since_m;
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/eval/evaluated_step.h"
 
@@ -26,6 +27,16 @@ struct Convergence {
   std::size_t lost_stretches = 0;  ///< How often the error rose to `lost_from_m` after converging.
   double lost_m = 0.0;  ///< True path flown until converged again, or until the end of the flight.
 };
+
+/// A step at which a localiser became converged, or was lost after it had been.
+struct TrackingChange {
+  std::size_t step = 0;  ///< Index among all steps.
+  bool is_found = false;
+};
+
+/// The moments behind find_convergence(), in order of time: found, lost, found and so on. The first is always found.
+[[nodiscard]] std::vector<TrackingChange> find_tracking_changes(
+    std::span<const EvaluatedStep> steps, const ConvergenceRule& rule = {});
 
 /// Walks over the steps whose truth is known. A step converges if from there on the rule holds for
 /// `held_for_m`; so nothing can converge in the last `held_for_m` of a flight. O(n).

@@ -14,7 +14,6 @@
 namespace nadir {
 namespace {
 
-constexpr int kFractionBits = 15;
 constexpr double kFactorOne = 16384.0;  // 2^14
 // A body that lies just out of reach, plus what its cells may add, still fits into 31 bits.
 static_assert((kMaxMapSide + 2LL * (kMaxReachCells + 2)) << kFractionBits <= 1LL << 31U);
@@ -26,10 +25,7 @@ std::uint32_t sum_portable(const CostRaster& raster,
   const int stride = raster.stride();
   std::uint32_t sum = 0;
   for (const HalfCell& cell : cells) {
-    const int column =
-        (pose.base_column + pose.cos * cell.forward - pose.sin * cell.left) >> kFractionBits;
-    const int row =
-        (pose.base_row - pose.sin * cell.forward - pose.cos * cell.left) >> kFractionBits;
+    const auto [column, row] = place_of(cell, pose);
     const int inside_column = std::clamp(column, 0, raster.width + 1);
     const int inside_row = std::clamp(row, 0, raster.height + 1);
     sum += raster.values[static_cast<std::size_t>(inside_row) * static_cast<std::size_t>(stride) +

@@ -52,6 +52,20 @@ struct FixedPose {
 /// result; a pose that is not finite counts as such a one. Yaw may be of any size.
 [[nodiscard]] FixedPose fixed_pose(const Rigid2& enu_from_body, const OverheadMap& map);
 
+/// Fixed-point coordinates have so many bits behind the point.
+inline constexpr int kFractionBits = 15;
+
+/// A cell of a CostRaster, or one beyond its border, which stands for the nearest cell of the border.
+struct RasterPlace {
+  int column, row;
+};
+
+/// Where the centre of a topview cell falls when the body is at a pose.
+[[nodiscard]] inline RasterPlace place_of(const HalfCell& cell, const FixedPose& pose) {
+  return {(pose.base_column + pose.cos * cell.forward - pose.sin * cell.left) >> kFractionBits,
+          (pose.base_row - pose.sin * cell.forward - pose.cos * cell.left) >> kFractionBits};
+}
+
 enum class InstructionSet { kPortable, kAvx2, kAvx512 };
 
 /// The one that was measured to be fastest of those that this machine has. Results do not depend on it, only speed does.

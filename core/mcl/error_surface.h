@@ -8,7 +8,8 @@
 namespace nadir {
 
 /// A grid of poses around a centre. Steps are along east, north and yaw; odd counts put a sample on
-/// the centre itself.
+/// the centre itself. Where step_m is a whole number of the map's cells (see whole_cells()), all poses of one yaw share the
+/// fractions of their cells, and the surface costs a small part of what it costs otherwise.
 struct ErrorSurfaceGrid {
   int count_x = 41;
   int count_y = 41;
@@ -16,6 +17,9 @@ struct ErrorSurfaceGrid {
   double step_m = 0.25;
   double step_rad = 0.05;
 };
+
+/// The grid with the step nearest to its own that is a whole number of cells, at least one.
+[[nodiscard]] ErrorSurfaceGrid whole_cells(ErrorSurfaceGrid grid, double metres_per_cell);
 
 /// Mean cost of a topview at each pose of a grid: what the filter's weights are made of.
 struct ErrorSurface {
@@ -33,8 +37,8 @@ struct ErrorSurface {
   }
 };
 
-/// Evaluates the same kernel as the weights do. O(poses x cells), parallel; the same numbers on any
-/// number of threads.
+/// Evaluates the same kernel as the weights do: every number is MapMatcher::mean_cost() at its pose. O(poses x cells),
+/// parallel; the same numbers on any number of threads and with every instruction set.
 /// @errors kInvalidOptions: a count below 1, more than 10^8 poses, a step that is not positive, a
 /// topview without usable cells.
 [[nodiscard]] Result<ErrorSurface> error_surface(const MapMatcher& matcher,

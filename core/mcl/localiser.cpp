@@ -18,7 +18,18 @@ Result<Localiser> Localiser::create(std::shared_ptr<const MapIndex> index,
   const int count = is_global ? options.global_particle_count : options.particle_count;
   auto particles = draw_particles(prior, matcher->map(), count, options.seed);
   if (!particles) return forward_error(particles);
-  return Localiser(std::move(*matcher), options, std::move(*particles));
+  return Localiser(std::move(*matcher), options, std::move(*particles), 0);
+}
+
+Result<Localiser> Localiser::resume(std::shared_ptr<const MapIndex> index,
+                                    const LocaliserOptions& options,
+                                    ParticleSet particles,
+                                    std::uint32_t first_step) {
+  NADIR_REQUIRE(!particles.empty() && first_step > 0);
+  if (const auto valid = validate(options); !valid) return forward_error(valid);
+  auto matcher = MapMatcher::create(std::move(index), options);
+  if (!matcher) return forward_error(matcher);
+  return Localiser(std::move(*matcher), options, std::move(particles), first_step);
 }
 
 LocaliserUpdate Localiser::update(const OdometryStep& odometry, const SemanticTopview& seen) {

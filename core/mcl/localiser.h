@@ -35,8 +35,18 @@ class Localiser {
                                                 const LocaliserOptions& options,
                                                 const Prior& prior);
 
-  /// Predicts, weighs, estimates, resamples and blurs. For the very first topview the step is the
-  /// identity with 0 s.
+  /// Goes on from particles that an earlier run left after an update, instead of a prior.
+  /// @param particles   Not empty; finite poses, weights that sum to 1.
+  /// @param first_step  Number of the update that comes next, 1 or more: one more than that of the update that left the particles,
+  /// so that no random draw comes twice.
+  /// @errors kInvalidOptions (options), kMalformed or kUnsupported (a map that cannot be matched).
+  [[nodiscard]] static Result<Localiser> resume(std::shared_ptr<const MapIndex> index,
+                                                const LocaliserOptions& options,
+                                                ParticleSet particles,
+                                                std::uint32_t first_step);
+
+  /// Predicts, weighs, estimates, resamples and blurs. For the very first topview after create()
+  /// the step is the identity with 0 s.
   /// @param seen  Of the map's resolution. Empty is allowed: then the particles only move.
   [[nodiscard]] LocaliserUpdate update(const OdometryStep& odometry, const SemanticTopview& seen);
 
@@ -45,14 +55,20 @@ class Localiser {
   [[nodiscard]] const MapMatcher& matcher() const { return matcher_; }
 
  private:
-  Localiser(MapMatcher matcher, const LocaliserOptions& options, ParticleSet particles)
-      : matcher_(std::move(matcher)), options_(options), particles_(std::move(particles)) {}
+  Localiser(MapMatcher matcher,
+            const LocaliserOptions& options,
+            ParticleSet particles,
+            std::uint32_t first_step)
+      : matcher_(std::move(matcher)),
+        options_(options),
+        particles_(std::move(particles)),
+        step_(first_step) {}
   [[nodiscard]] double evidence_of(const MatchCells& seen, const OdometryStep& odometry) const;
 
   MapMatcher matcher_;
   LocaliserOptions options_;
   ParticleSet particles_;
-  std::uint32_t step_ = 0;
+  std::uint32_t step_;  ///< Number of the next update.
 };
 
 }  // namespace nadir

@@ -121,6 +121,18 @@ double MapMatcher::mean_cost(const MatchCells& seen, const Rigid2& enu_from_body
   return cost / (kFullCost * seen.total_weight);
 }
 
+std::array<double, kClassCount> MapMatcher::class_costs(const MatchCells& seen,
+                                                        const Rigid2& enu_from_body) const {
+  const FixedPose pose = fixed_pose(enu_from_body, map());
+  std::array<double, kClassCount> costs{};
+  for (const MatchCells::OfClass& group : seen.classes) {
+    costs[group.id] = group.weight_per_cell *
+                      sum_costs(rasters_[group.id], group.cells, pose, set_) /
+                      (kFullCost * seen.total_weight);
+  }
+  return costs;
+}
+
 std::vector<double> MapMatcher::mean_costs(const MatchCells& seen,
                                            const ParticleSet& particles) const {
   NADIR_REQUIRE(!seen.empty());

@@ -48,9 +48,17 @@ class MapMatcher {
   /// error: mismatches count; divided by its greatest possible value, which no weight notices).
   [[nodiscard]] double mean_cost(const MatchCells& seen, const Rigid2& enu_from_body) const;
 
+  /// What each class adds to mean_cost(); they sum to it.
+  [[nodiscard]] std::array<double, kClassCount> class_costs(const MatchCells& seen,
+                                                            const Rigid2& enu_from_body) const;
+
   /// mean_cost of every particle. O(particles x cells), parallel.
   [[nodiscard]] std::vector<double> mean_costs(const MatchCells& seen,
                                                const ParticleSet& particles) const;
+
+  /// For kernels that evaluate many poses at once. @param id  Of a class that prepare() keeps.
+  [[nodiscard]] const CostRaster& cost_raster(ClassId id) const { return rasters_[id]; }
+  [[nodiscard]] InstructionSet instruction_set() const { return set_; }
 
  private:
   MapMatcher() = default;

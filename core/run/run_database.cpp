@@ -28,6 +28,8 @@ Result<void> write_about(const SqliteDatabase& database, const RunHeader& header
       {"plane_latitude_deg", fmt::format("{}", header.plane_latitude_deg)},
       {"plane_longitude_deg", fmt::format("{}", header.plane_longitude_deg)},
       {"is_complete", "0"}};
+  if (!header.parent_run.empty()) about["parent_run"] = header.parent_run;
+  if (header.started_at_s) about["started_at_s"] = fmt::format("{}", *header.started_at_s);
   for (const auto& [option, value] : header.options) about["option." + option] = value;
   auto insert = database.prepare("INSERT INTO about VALUES (?, ?)");
   if (!insert) return forward_error(insert);
@@ -41,6 +43,10 @@ Result<void> write_about(const SqliteDatabase& database, const RunHeader& header
 }  // namespace
 
 Result<void> check_header(const RunHeader& header, const std::string& name) {
+  if (header.started_at_s && !std::isfinite(*header.started_at_s)) {
+    return fail(ErrorCode::kMalformed, "{}: the time at which it goes on, {} s, is no time", name,
+                *header.started_at_s);
+  }
   if (std::abs(header.plane_latitude_deg) <= kLargestLatitudeDeg &&
       std::abs(header.plane_longitude_deg) <= kLargestLongitudeDeg) {
     return {};

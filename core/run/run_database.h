@@ -11,7 +11,8 @@
 namespace nadir::detail {
 
 /// @param name  Stands for the file in messages.
-/// @errors kMalformed: the origin of the plane is no place on Earth, which a reader would refuse.
+/// @errors kMalformed: the origin of the plane is no place on Earth or the time at which the
+/// run goes on is none, which a reader would refuse.
 [[nodiscard]] Result<void> check_header(const RunHeader& header, const std::string& name);
 
 /// Makes the tables of a run in an empty file, with the header and no steps. A journal of its name is

@@ -7,15 +7,20 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/mcl/particle_set.h"
 #include "core/mcl/pose_estimate.h"
 #include "core/topview/semantic_topview.h"
 
 namespace nadir {
+
+/// Times that differ by less are the same: in seconds since 1970 a double's step is 2.4e-7 s.
+inline constexpr double kSameTimeS = 1e-6;
 
 /// What was run, on what, with which settings: enough to run it again. Stored as rows of table
 /// `about`.
@@ -28,6 +33,11 @@ struct RunHeader {
   double plane_latitude_deg = 0.0,
          plane_longitude_deg = 0.0;            ///< Origin of the project plane of all poses.
   std::map<std::string, std::string> options;  ///< Every option of the localiser by name, as text.
+  /// Of a run that goes on from a moment of an earlier one: that run's file, and the time (as in RunStep::time_s) of the step it
+  /// went on from. Steps up to that time are copies of the earlier run's. Empty and nothing for any other run.
+  std::string parent_run;
+  std::optional<double> started_at_s;
+  friend bool operator==(const RunHeader&, const RunHeader&) = default;
 };
 
 /// One update of the localiser, as recorded.
@@ -71,6 +81,13 @@ class RunWriter {
   /// Steps and times must rise. @errors kMalformed: names a value that RunReader would refuse; the
   /// writer can be used on. kIo.
   [[nodiscard]] Result<void> write(const RunStep& step);
+  /// Takes over steps of another run file as they are stored there, with particles and topviews where it has them: the file
+  /// of a run that goes on from a moment then holds the whole flight and compares with its parent over the same time.
+  /// All or none. @param steps  As RunReader::steps() of `run` gives them, or the first of them.
+  /// @errors as write(); kCancelled; those of reading `run`; kInvalidOptions: `run` is the file being written.
+  [[nodiscard]] Result<void> copy_steps(const std::filesystem::path& run,
+                                        std::span<const RunStep> steps,
+                                        const WorkContext& context = {});
   /// Marks the run as complete. A run without this mark was killed or stopped. Takes the run before
   /// away, and what killed programs have put aside from this name; where there was none before, those
   /// stay, for one may be all that is left of somebody's work. @errors kIo: all is as it was.
@@ -103,6 +120,8 @@ class RunReader {
   /// @errors kMalformed: names table, row and column of a value that is missing or impossible, such
   /// as text for a number, a time that repeats or goes back, or a negative variance.
   [[nodiscard]] Result<std::vector<RunStep>> steps() const;
+  /// The same of the steps whose number is `first` or more, for a run that has grown: the others are not read.
+  [[nodiscard]] Result<std::vector<RunStep>> steps_from(int first) const;
   /// One step with its particles and topview where recorded.
   [[nodiscard]] Result<RunStep> step(int step) const;
 

@@ -89,6 +89,13 @@ Result<RunHeader> header_from(std::map<std::string, std::string> about, const st
                                detail::kLargestLongitudeDeg, header.plane_longitude_deg);
           });
   if (!taken) return forward_error(taken);
+  header.parent_run = about["parent_run"];
+  if (about.contains("started_at_s")) {
+    constexpr double kAnyTime = std::numeric_limits<double>::max();
+    const auto time = take_number(about, "started_at_s", name, -kAnyTime, kAnyTime,
+                                  header.started_at_s.emplace());
+    if (!time) return forward_error(time);
+  }
   for (const auto& [key, value] : about) {
     if (key.starts_with("option.")) header.options[key.substr(7)] = value;
   }
@@ -112,11 +119,14 @@ Result<RunHeader> read_header(const SqliteDatabase& database, const std::string&
 }
 
 /// Rows must rise in step, which also ends the walk through a damaged tree that leads in a circle,
-/// and in time.
-Result<std::vector<RunStep>> read_steps(const SqliteDatabase& database, const std::string& name) {
-  auto rows =
-      database.prepare(fmt::format("SELECT {} FROM step ORDER BY step", detail::kStepColumns));
+/// and in time. @param first  Rows below are left out.
+Result<std::vector<RunStep>> read_steps(const SqliteDatabase& database,
+                                        const std::string& name,
+                                        std::int64_t first) {
+  auto rows = database.prepare(
+      fmt::format("SELECT {} FROM step WHERE step >= ? ORDER BY step", detail::kStepColumns));
   if (!rows) return forward_error(rows);
+  rows->add(first);
   std::vector<RunStep> steps;
   for (;;) {
     const auto row = rows->next();
@@ -196,6 +206,19 @@ struct RunReader::Implementation {
   std::string name;
   mutable RunConnection connection;  ///< Reopened where a killed writer left a journal.
   RunHeader header;
+
+  [[nodiscard]] Result<std::vector<RunStep>> steps_from(std::int64_t first) const {
+    return connection.read([&](const SqliteDatabase& database) -> Result<std::vector<RunStep>> {
+      auto numbers = read_steps(database, name, first);
+      if (!numbers) return numbers;
+      auto rows = database.prepare(fmt::format(
+          "SELECT {} FROM mode WHERE step >= ? ORDER BY step, rank", detail::kModeColumns));
+      if (!rows) return forward_error(rows);
+      rows->add(first);
+      if (const auto added = add_modes(*numbers, *rows, name); !added) return forward_error(added);
+      return numbers;
+    });
+  }
 };
 
 RunReader::RunReader(std::unique_ptr<Implementation> implementation)
@@ -238,18 +261,11 @@ int RunReader::step_count() const {
 }
 
 Result<std::vector<RunStep>> RunReader::steps() const {
-  const std::string& name = implementation_->name;
-  return implementation_->connection.read(
-      [&](const SqliteDatabase& database) -> Result<std::vector<RunStep>> {
-        auto numbers = read_steps(database, name);
-        if (!numbers) return numbers;
-        auto rows = database.prepare(
-            fmt::format("SELECT {} FROM mode ORDER BY step, rank", detail::kModeColumns));
-        if (!rows) return forward_error(rows);
-        if (const auto added = add_modes(*numbers, *rows, name); !added)
-          return forward_error(added);
-        return numbers;
-      });
+  return implementation_->steps_from(std::numeric_limits<std::int64_t>::min());
+}
+
+Result<std::vector<RunStep>> RunReader::steps_from(int first) const {
+  return implementation_->steps_from(first);
 }
 
 Result<RunStep> RunReader::step(int number) const {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/require.h"
+#include "core/run/copied_blobs.h"
 #include "core/run/earlier_run.h"
 #include "core/run/run_blobs.h"
 #include "core/run/run_database.h"
@@ -51,8 +52,10 @@ struct RunWriter::Implementation {
   RunLock lock;  ///< Outlives the connection: closing a file takes away the locks of SQLite.
   SqliteDatabase database;
   std::optional<SqliteStatement> insert_step, insert_mode, insert_particles, insert_topview;
-  int steps_written = 0, last_step = 0;
-  double last_time_s = 0.0;
+  struct Progress {
+    int steps_written = 0, last_step = 0;
+    double last_time_s = 0.0;
+  } progress;
 
   [[nodiscard]] Result<void> prepare();
   [[nodiscard]] Result<void> check(const RunStep& step) const;
@@ -92,6 +95,7 @@ Result<void> RunWriter::Implementation::check(const RunStep& step) const {
                   detail::fault_text(*fault, detail::kModeColumns));
     }
   }
+  const auto& [steps_written, last_step, last_time_s] = progress;
   if (steps_written == 0) return {};
   if (step.time_s < last_time_s) {
     return fail(ErrorCode::kMalformed, "{}: time goes back from {} s to {} s at step {}", name,
@@ -204,6 +208,7 @@ Result<RunWriter> RunWriter::create(const fs::path& path, const RunHeader& heade
                                                                            {},
                                                                            {},
                                                                            {},
+                                                                           {},
                                                                            {}});
   if (const auto prepared = implementation->prepare(); !prepared) {
     implementation->discard();
@@ -223,10 +228,37 @@ Result<void> RunWriter::write(const RunStep& step) {
                      .and_then([&] { return run.write_blobs(step); })
                      .and_then([&] { return transaction->commit(); });
   if (!written) return written;
-  ++run.steps_written;
-  run.last_step = step.step;
-  run.last_time_s = step.time_s;
+  run.progress = {run.progress.steps_written + 1, step.step, step.time_s};
   return {};
+}
+
+Result<void> RunWriter::copy_steps(const fs::path& path,
+                                   std::span<const RunStep> steps,
+                                   const WorkContext& context) {
+  NADIR_REQUIRE(implementation_ != nullptr);
+  Implementation& run = *implementation_;
+  std::error_code error;
+  if (fs::equivalent(path, run.path, error)) {
+    return fail(ErrorCode::kInvalidOptions, "{}: cannot go on from itself", run.name);
+  }
+  const Implementation::Progress before = run.progress;
+  auto copied = [&]() -> Result<void> {
+    auto transaction = SqliteTransaction::begin(run.database, "BEGIN IMMEDIATE");
+    if (!transaction) return forward_error(transaction);
+    for (const RunStep& step : steps) {
+      auto written =
+          run.check(step).and_then([&] { return run.write_numbers(step); }).and_then([&] {
+            return run.write_modes(step);
+          });
+      if (!written) return written;
+      run.progress = {run.progress.steps_written + 1, step.step, step.time_s};
+    }
+    return detail::copy_blobs(path, run.database, steps, context).and_then([&] {
+      return transaction->commit();
+    });
+  }();
+  if (!copied) run.progress = before;
+  return copied;
 }
 
 Result<void> RunWriter::finish() {
@@ -242,7 +274,7 @@ Result<void> RunWriter::finish() {
 fs::path RunWriter::stop() {
   NADIR_REQUIRE(implementation_ != nullptr);
   const std::unique_ptr<Implementation> run = std::move(implementation_);
-  if (!run->earlier.is_worth_more_than(run->steps_written)) run->earlier.remove();
+  if (!run->earlier.is_worth_more_than(run->progress.steps_written)) run->earlier.remove();
   return run->earlier.path();
 }
 

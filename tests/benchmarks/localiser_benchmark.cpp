@@ -115,15 +115,46 @@ void BM_FindModes(benchmark::State& state) {
 }
 BENCHMARK(BM_FindModes)->Unit(benchmark::kMillisecond);
 
+/// What "why here?" asks for: 64 x 64 x 36 poses. Arguments: 1 where the poses are whole cells apart (0.2 m), 0 where they are not
+/// (0.25 m on cells of 0.1 m); 1 for all cells of the topview, 0 for the default's thinned ones; threads.
 void BM_ErrorSurface(benchmark::State& state) {
-  const Localiser localiser = scene().localiser(fixed_count("default", 1'000));
+  const ThreadLimit limit(static_cast<int>(state.range(2)));
+  const Localiser localiser =
+      scene().localiser(fixed_count(state.range(1) == 1 ? "thesis" : "default", 1'000));
+  const SemanticTopview seen = scene().topview();
+  const ErrorSurfaceGrid grid{64, 64, 36, state.range(0) == 1 ? 0.2 : 0.25, 0.05};
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(error_surface(localiser.matcher(), seen, scene().enu_from_body, grid));
+  }
+}
+BENCHMARK(BM_ErrorSurface)
+    ->ArgNames({"whole_cells", "all_cells", "threads"})
+    ->ArgsProduct({{0, 1}, {0, 1}, {1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+/// The rows of poses of such a surface with each instruction set: 0 portable, 1 AVX2, 2 AVX-512.
+void BM_ErrorSurfaceInstructionSets(benchmark::State& state) {
+  const auto set = static_cast<InstructionSet>(state.range(0));
+  if (!is_available(set)) {
+    state.SkipWithError("this machine does not have it");
+    return;
+  }
+  const ThreadLimit limit(1);
+  const auto matcher =
+      MapMatcher::create(scene().index, localiser_preset("default").value(), set).value();
   const SemanticTopview seen = scene().topview();
   for (auto _ : state) {
     benchmark::DoNotOptimize(
-        error_surface(localiser.matcher(), seen, scene().enu_from_body, {64, 64, 36, 0.25, 0.05}));
+        error_surface(matcher, seen, scene().enu_from_body, {64, 64, 36, 0.2, 0.05}));
   }
 }
-BENCHMARK(BM_ErrorSurface)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(BM_ErrorSurfaceInstructionSets)
+    ->Arg(0)
+    ->Arg(1)
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 /// From labels and depth to estimate and modes. Arguments: particles, threads, 1 for preset thesis,
 /// 0 for default.

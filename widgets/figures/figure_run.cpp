@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/run/evaluate_run.h"
-#include "widgets/figures/place_beside.h"
+#include "core/run/place_beside.h"
 
 namespace nadir {
 namespace fs = std::filesystem;

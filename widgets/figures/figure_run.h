@@ -12,9 +12,6 @@
 
 namespace nadir {
 
-/// Times that differ by less are the same: in seconds since 1970 a double's step is 2.4e-7 s.
-inline constexpr double kSameTimeS = 1e-6;
-
 /// A recorded run as figures use it: all its steps without particles and topviews, which are read when they are drawn.
 /// Copies read the same open file.
 struct FigureRun {

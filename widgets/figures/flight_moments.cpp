@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/require.h"
 #include "core/flight/colour_image.h"
-#include "widgets/figures/place_beside.h"
+#include "core/run/place_beside.h"
 #include "widgets/views/raster_pictures.h"
 
 namespace nadir {
@@ -17,6 +18,31 @@ bool has_cloud(const FlightFrame& frame) {
 }
 
 }  // namespace
+
+Result<FlightMoment> flight_moment(const FlightDescription& flight,
+                                   double clock_s,
+                                   const Raster<ClassId>& labels,
+                                   const Raster<float>& depth_m,
+                                   double max_depth_m,
+                                   int every_nth_pixel) {
+  NADIR_REQUIRE(flight.camera.has_value());
+  FlightMoment moment;
+  moment.camera = *flight.camera;
+  const auto odom_from_body =
+      flight.odometry ? flight.odometry->at(clock_s) : std::optional<Rigid3>();
+  const Eigen::Quaterniond levelling =
+      odom_from_body ? level_from_body(odom_from_body->rotation) : Eigen::Quaterniond::Identity();
+  moment.level_from_camera = Rigid3{levelling, Eigen::Vector3d::Zero()} * flight.body_from_camera;
+  const Eigen::Isometry3d transform = Eigen::Translation3d(moment.level_from_camera.translation_m) *
+                                      moment.level_from_camera.rotation;
+  auto cloud =
+      build_semantic_cloud(labels, depth_m, moment.camera, transform, max_depth_m, every_nth_pixel);
+  if (!cloud) return forward_error(cloud, flight.path.string());
+  moment.cloud = std::move(*cloud);
+  moment.level_height_m =
+      flight.altitude_m > 0.0 ? flight.altitude_m : height_above_ground(moment.cloud);
+  return moment;
+}
 
 Result<fs::path> find_flight_of(const FigureRun& run) {
   const fs::path named = run.reader->header().flight_path;
@@ -55,45 +81,17 @@ Result<FlightMoment> FlightMoments::at(double time_s,
   }
   const auto frame = flight_->load(static_cast<std::size_t>(nearest - flight.frames.data()));
   if (!frame) return forward_error(frame);
-  FlightMoment moment;
-  moment.camera = *flight.camera;
-  const auto odom_from_body =
-      flight.odometry ? flight.odometry->at(nearest->time_s) : std::optional<Rigid3>();
-  const Eigen::Quaterniond levelling =
-      odom_from_body ? level_from_body(odom_from_body->rotation) : Eigen::Quaterniond::Identity();
-  moment.level_from_camera = Rigid3{levelling, Eigen::Vector3d::Zero()} * flight.body_from_camera;
-  const Eigen::Isometry3d transform = Eigen::Translation3d(moment.level_from_camera.translation_m) *
-                                      moment.level_from_camera.rotation;
-  auto cloud = build_semantic_cloud(frame->labels, frame->depth_m, moment.camera, transform,
-                                    max_depth_m, every_nth_pixel);
-  if (!cloud) return forward_error(cloud, flight.path.string());
-  moment.cloud = std::move(*cloud);
-  moment.level_height_m =
-      flight.altitude_m > 0.0 ? flight.altitude_m : height_above_ground(moment.cloud);
+  auto moment = flight_moment(flight, nearest->time_s, frame->labels, frame->depth_m, max_depth_m,
+                              every_nth_pixel);
+  if (!moment) return moment;
   if (nearest->image) {
     const auto picture = read_colour_image(*nearest->image);
     if (!picture) return forward_error(picture);
-    moment.picture = colour_picture(*picture);
+    moment->picture = colour_picture(*picture);
   } else {
-    moment.picture = class_picture(frame->labels);
+    moment->picture = class_picture(frame->labels);
   }
   return moment;
-}
-
-const FlightFrame* nearest_frame(const FlightDescription& flight,
-                                 double time_s,
-                                 bool (*has_what_is_wanted)(const FlightFrame&)) {
-  constexpr double kNearS = 0.1;
-  const FlightFrame* nearest = nullptr;
-  double nearest_s = kNearS;
-  for (const FlightFrame& frame : flight.frames) {
-    const double away_s = std::abs(frame.time_s - time_s);
-    if (!has_what_is_wanted(frame) || !(away_s <= nearest_s)) continue;
-    if (nearest != nullptr && away_s == nearest_s) continue;  // the earlier one
-    nearest = &frame;
-    nearest_s = away_s;
-  }
-  return nearest;
 }
 
 double height_above_ground(const SemanticCloud& cloud) {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/flight/flight_recording.h"
+#include "core/flight/nearest_frame.h"
 #include "core/topview/semantic_cloud.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/figures/figure_run.h"
@@ -18,6 +19,16 @@ struct FlightMoment {
   SemanticCloud cloud;
   Raster<Rgba> picture;  ///< What it saw, else its classes; of any size.
 };
+
+/// What a camera knew whose labels and depth these are, without a picture. Points farther than `max_depth_m` and all but every
+/// n-th pixel are left out. @param flight  Describes a camera. @param clock_s  The recording's, of the frame.
+/// @errors kMalformed: labels or depth are not of the camera's size.
+[[nodiscard]] Result<FlightMoment> flight_moment(const FlightDescription& flight,
+                                                 double clock_s,
+                                                 const Raster<ClassId>& labels,
+                                                 const Raster<float>& depth_m,
+                                                 double max_depth_m,
+                                                 int every_nth_pixel);
 
 /// The recording that a run was localised on, moment by moment.
 class FlightMoments {
@@ -40,11 +51,6 @@ class FlightMoments {
 /// The recording that a run was localised on: where the run says it was, or beside the run under the same name.
 /// @errors kNotFound, as above.
 [[nodiscard]] Result<std::filesystem::path> find_flight_of(const FigureRun& run);
-
-/// The frame nearest in time of those that have what is wanted; none where none of these is within a tenth of a second.
-[[nodiscard]] const FlightFrame* nearest_frame(const FlightDescription& flight,
-                                               double time_s,
-                                               bool (*has_what_is_wanted)(const FlightFrame&));
 
 /// Height of the body above the ground by the points of a cloud that lie on it: the median of roads, sidewalks, lane markings
 /// and terrain. 0 where there are none.

@@ -75,6 +75,18 @@ TEST(Convergence, DoesNotLatch) {
   EXPECT_EQ(result.lost_m, 12.0 + 7.0);
 }
 
+TEST(TrackingChanges, SayAtWhichStepsItWasFoundAndLost) {
+  auto steps = flight_with_errors(errors({{5, 30.0}, {30, 1.0}, {12, 6.0}, {30, 1.0}, {8, 9.0}}));
+  steps[2].truth_in_enu.reset();  // indices are of all steps
+  std::vector<std::size_t> at;
+  for (const TrackingChange& change : find_tracking_changes(steps)) {
+    EXPECT_EQ(change.is_found, at.size() % 2 == 0);
+    at.push_back(change.step);
+  }
+  EXPECT_EQ(at, (std::vector<std::size_t>{5, 35, 47, 77}));
+  EXPECT_TRUE(find_tracking_changes({}).empty());
+}
+
 TEST(Convergence, SmallExcursionsAreNoLoss) {
   EXPECT_EQ(
       find_convergence(flight_with_errors(errors({{30, 1.0}, {5, 4.9}, {30, 1.0}}))).lost_stretches,

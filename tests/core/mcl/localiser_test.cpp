@@ -150,6 +150,59 @@ TEST(Localiser, KeepsItsWeightsNormalisedAndItsHeadingsWrapped) {
   }
 }
 
+TEST(Localiser, GoesOnFromItsOwnParticlesAsIfItHadNeverStopped) {
+  const CircleDrive drive;
+  auto whole =
+      Localiser::create(drive.index(), {}, GaussianPrior{.mean_in_enu = CircleDrive::truth(0)})
+          .value();
+  ParticleSet middle;
+  for (int step = 0; step < 12; ++step) {
+    (void)whole.update(CircleDrive::odometry(step), drive.seen(step));
+    if (step == 5) middle = whole.particles();
+  }
+  for (const int threads : {1, 3}) {
+    const ThreadLimit limit(threads);
+    auto resumed = Localiser::resume(drive.index(), {}, middle, 6).value();
+    EXPECT_EQ(resumed.particles(), middle);
+    for (int step = 6; step < 12; ++step) {
+      (void)resumed.update(CircleDrive::odometry(step), drive.seen(step));
+    }
+    EXPECT_EQ(resumed.particles(), whole.particles());
+  }
+}
+
+TEST(Localiser, DrawsOtherNumbersInEachStepThatItGoesOnWith) {
+  const CircleDrive drive;
+  const auto start =
+      Localiser::create(drive.index(), {}, GaussianPrior{.mean_in_enu = CircleDrive::truth(0)})
+          .value()
+          .particles();
+  SemanticTopview nothing;
+  nothing.metres_per_cell = 0.25;
+  const auto moved_in = [&](std::uint32_t step) {
+    auto localiser = Localiser::resume(drive.index(), {}, start, step).value();
+    (void)localiser.update(CircleDrive::odometry(1), nothing);
+    return localiser.particles();
+  };
+  EXPECT_EQ(moved_in(3), moved_in(3));
+  EXPECT_NE(moved_in(3), moved_in(4));
+}
+
+TEST(Localiser, RefusesToGoOnWithOptionsThatMakeNoSense) {
+  const CircleDrive drive;
+  LocaliserOptions options;
+  options.particle_count = 0;
+  ParticleSet one;
+  one.resize(1);
+  one.set_pose(0, CircleDrive::truth(0));
+  one.weight[0] = 1.0;
+  EXPECT_EQ(Localiser::resume(drive.index(), options, one, 1).error().message,
+            "--particles: 0 is not in [1, 1000000]");
+  EXPECT_THROW(static_cast<void>(Localiser::resume(drive.index(), {}, ParticleSet{}, 1)),
+               std::logic_error);
+  EXPECT_THROW(static_cast<void>(Localiser::resume(drive.index(), {}, one, 0)), std::logic_error);
+}
+
 TEST(Localiser, RefusesParticleCountsThatCannotBe) {
   const CircleDrive drive;
   LocaliserOptions options;

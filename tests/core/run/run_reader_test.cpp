@@ -43,6 +43,29 @@ TEST(RunReader, RefusesANewerFormatAndSaysSo) {
   EXPECT_THAT(error_text(run), HasSubstr("R.nadir: was written by a newer version of Nadir"));
 }
 
+TEST(RunReader, ReadsTheStepsFromANumberOn) {
+  const ScratchFolder folder;
+  const fs::path path = folder.path() / "R.nadir";
+  record_run(path, 9);
+  run_sql(path, "DELETE FROM mode WHERE step = 5; DELETE FROM step WHERE step = 5");
+  const auto run = RunReader::open(path);
+  const auto all = run->steps();
+  ASSERT_EQ(all->size(), 8U);
+  for (int first = -1; first < 12; ++first) {
+    const auto some = run->steps_from(first);
+    ASSERT_TRUE(some) << error_text(some);
+    std::vector<int> expected, numbers;
+    for (const RunStep& step : *all) {
+      if (step.step >= first) expected.push_back(step.step);
+    }
+    for (const RunStep& step : *some) {
+      numbers.push_back(step.step);
+      EXPECT_EQ(step.estimate.modes.size(), 2U);
+    }
+    EXPECT_EQ(numbers, expected) << first;
+  }
+}
+
 TEST(RunReader, ReadsFilesWithTablesAndKeysItDoesNotKnow) {
   const ScratchFolder folder;
   const fs::path path = folder.path() / "R.nadir";

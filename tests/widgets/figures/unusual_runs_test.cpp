@@ -128,25 +128,6 @@ TEST_F(UnusualRuns, ThatWereMovedWithTheirFlightShowItsImagesAtTheirTimesOnly) {
   EXPECT_THAT(words(asked), HasSubstr("no camera image: the flight no/such/flight is not there"));
 }
 
-TEST(NearestFrame, IsWithinATenthOfASecondAndHasWhatIsWanted) {
-  FlightDescription flight;
-  for (const double time_s : {1.0, 1.05, 1.5, 2.0}) {
-    FlightFrame frame;
-    frame.time_s = time_s;
-    if (time_s != 1.05) frame.image = "image.png";
-    flight.frames.push_back(frame);
-  }
-  const auto has_image = [](const FlightFrame& frame) { return frame.image.has_value(); };
-  const auto any = [](const FlightFrame& /*frame*/) { return true; };
-  EXPECT_EQ(nearest_frame(flight, 1.04, has_image), &flight.frames[0]);
-  EXPECT_EQ(nearest_frame(flight, 1.04, any), &flight.frames[1]);
-  EXPECT_EQ(nearest_frame(flight, 1.45, has_image), &flight.frames[2]);
-  EXPECT_EQ(nearest_frame(flight, 1.75, has_image), nullptr);
-  EXPECT_EQ(nearest_frame(flight, 2.09, has_image), &flight.frames[3]);
-  EXPECT_EQ(nearest_frame(flight, 2.11, has_image), nullptr);
-  EXPECT_EQ(nearest_frame({}, 1.0, any), nullptr);
-}
-
 TEST(PoseReach, ChoosesCellsThatALongRunCanBeDrawnIn) {
   PoseReach reach;
   EXPECT_EQ(reconstruction_cell_m(reach, 0.25), 0.25);

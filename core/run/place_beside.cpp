@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/figures/place_beside.h"
+#include "core/run/place_beside.h"
 
 #include <system_error>
 
