@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/session/action.h"
+
+namespace nadir {
+
+class Session;
+
+/// A line of a menu, the palette or the sheet of shortcuts: an action with its arguments, or the beginning of one.
+struct Command {
+  std::string_view text;  ///< "theme dark"; parse_action() takes it where is_whole.
+  std::string_view
+      title;  ///< "Dark theme", as menus have it; "..." at the end where more input follows.
+  std::string_view menu;  ///< "File", "Edit", "View", "Run", "Go", "Help".
+  std::string_view
+      shortcut;  ///< "Ctrl+Shift+P", "Space", "["; empty: none. Names of keys as in look.md.
+  bool is_whole = true;  ///< False: arguments are asked for, "export" by a file name.
+};
+
+/// All, in the order of the menus; each shortcut stands for one command only.
+[[nodiscard]] std::span<const Command> session_commands();
+
+/// Whether it can be done now; else why not, in a few words for a tooltip ("open a run first").
+[[nodiscard]] std::string why_not(const Command& command, const Session& session);
+
+/// The best first: those whose title, words or shortcut have all letters of what was typed in order; ties by menu order.
+/// Every command for an empty text.
+[[nodiscard]] std::vector<const Command*> matching_commands(std::string_view typed);
+
+}  // namespace nadir

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/figure_request.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/base/settings.h"
+
+namespace nadir {
+namespace {
+
+/// Layers of the window that figures can leave out, and what they are called there.
+constexpr std::array<std::pair<Layer, std::string_view>, 8> kFigureLayers = {{
+    {Layer::kPicture, "picture"},
+    {Layer::kTruth, "truth"},
+    {Layer::kOdometry, "odometry"},
+    {Layer::kEstimate, "estimate"},
+    {Layer::kEllipses, "ellipses"},
+    {Layer::kModes, "modes"},
+    {Layer::kParticles, "particles"},
+    {Layer::kTopview, "topview"},
+}};
+
+std::string layers_text(const MapLook& look) {
+  std::string shown;
+  std::size_t count = 0;
+  for (const auto& [layer, name] : kFigureLayers) {
+    if (!look.layer(layer).is_visible) continue;
+    shown += (count > 0 ? "," : "") + std::string(name);
+    ++count;
+  }
+  if (count == 0) return "none";
+  return count == kFigureLayers.size() ? "all" : shown;
+}
+
+}  // namespace
+
+RunsOfFigure runs_of_figure(std::string_view figure) {
+  constexpr std::array<std::string_view, 3> kWithoutRuns = {"overhead-pair", "route", "labels"};
+  constexpr std::array<std::string_view, 4> kOfAll = {"mse-bars", "cdf", "trajectories", "compare"};
+  const auto is_in = [figure](const auto& names) {
+    return std::find(names.begin(), names.end(), figure) != names.end();
+  };
+  if (is_in(kWithoutRuns)) return RunsOfFigure::kNone;
+  return is_in(kOfAll) ? RunsOfFigure::kAll : RunsOfFigure::kOne;
+}
+
+std::string figure_recipe_text(const FigureRequest& request) {
+  std::string text = "figure = " + toml_quoted(request.figure) + "\n";
+  if (!request.runs.empty()) {
+    std::string list;
+    for (const std::string& run : request.runs)
+      list += (list.empty() ? "" : ", ") + toml_quoted(run);
+    text += "runs = [" + list + "]\n";
+  }
+  if (!request.map.empty()) text += "map = " + toml_quoted(request.map) + "\n";
+  const MapLook& look = request.look;
+  text += "\n[options]\n";
+  text += "theme = " + toml_quoted(enum_name(request.theme)) + "\n";
+  text += fmt::format("time = {}\n", request.time_s);
+  if (look.width_m > 0.0) {
+    text += "crop = " +
+            toml_quoted(fmt::format("{}@{},{}", look.width_m, look.centre_in_enu_m.x(),
+                                    look.centre_in_enu_m.y())) +
+            "\n";
+  }
+  text += "layers = " + toml_quoted(layers_text(look)) + "\n";
+  if (look.layer(Layer::kLabels).is_visible) {
+    text += fmt::format("label-opacity = {}\n", look.layer(Layer::kLabels).opacity);
+  }
+  text += "laid-at = " + toml_quoted(enum_name(look.topview_at)) + "\n";
+  if (look.layer(Layer::kGraticule).is_visible) text += "graticule-lines = true\n";
+  if (!request.is_film) return text;
+  if (request.from_s) text += fmt::format("from = {}\n", *request.from_s);
+  if (request.to_s) text += fmt::format("to = {}\n", *request.to_s);
+  return text + fmt::format("speed = {}\n", request.speed);
+}
+
+}  // namespace nadir

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/ground_reconstruction.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "core/eval/evaluated_step.h"
+#include "core/run/run_file.h"
+#include "core/topview/semantic_reconstruction.h"
+
+namespace nadir {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+bool is_of_one_run(const ReconstructionQuestion& a, const ReconstructionQuestion& b) {
+  return a.run && b.run && a.run->path == b.run->path && a.run->file == b.run->file &&
+         a.poses == b.poses;
+}
+
+std::optional<Rigid2> pose_for(const RunStep& step, PoseSource source) {
+  if (source == PoseSource::kTruth) return step.truth_in_enu;
+  if (source == PoseSource::kOdometry) return step.odometry_in_enu;
+  return step.estimate.moments.mean;
+}
+
+/// What the thread has laid so far.
+class Laying {
+ public:
+  explicit Laying(ReconstructionQuestion question) : question_(std::move(question)) {}
+
+  /// Whether steps have only to be added for this question.
+  [[nodiscard]] bool leads_to(const ReconstructionQuestion& question) const {
+    return is_of_one_run(question_, question) && next_ <= question.last_step + 1;
+  }
+  [[nodiscard]] std::size_t next() const { return next_; }
+
+  /// Lays the next step. @errors as RunReader.
+  Result<void> add_next(const RunDocument& run) {
+    if (!reader_) {
+      auto opened = RunReader::open(question_.run->path);
+      if (!opened) return forward_error(opened);
+      reader_.emplace(std::move(*opened));
+    }
+    const auto step = reader_->step(run.steps[next_].step);
+    if (!step) return forward_error(step);
+    ++next_;
+    const auto pose = pose_for(*step, question_.poses);
+    if (!step->topview || step->topview->cells.empty() || !pose || !is_finite(*pose)) return {};
+    if (!seen_) seen_.emplace(step->topview->metres_per_cell);
+    seen_->add(*step->topview, *pose);
+    return {};
+  }
+
+  [[nodiscard]] Result<std::shared_ptr<const ReconstructedGround>> ground() const {
+    auto ground = std::make_shared<ReconstructedGround>();
+    ground->steps = next_;
+    if (seen_ && !seen_->empty()) {
+      auto labels = seen_->labels();
+      if (!labels) return forward_error(labels, question_.run->path.string());
+      ground->labels = std::move(*labels);
+      ground->top_left_in_enu_m = seen_->top_left_in_enu_m();
+      ground->metres_per_cell = seen_->metres_per_cell();
+    }
+    return ground;
+  }
+
+ private:
+  ReconstructionQuestion question_;
+  std::optional<RunReader> reader_;
+  std::optional<SemanticReconstruction> seen_;
+  std::size_t next_ = 0;  ///< Index of the step that is laid next.
+};
+
+}  // namespace
+
+struct GroundReconstruction::Implementation {
+  mutable std::mutex mutex;
+  std::condition_variable_any has_question;
+  ReconstructionQuestion question;
+  std::uint64_t asked = 0, answered = 0;  ///< Of the questions so far, the last.
+  std::shared_ptr<const ReconstructedGround> answer;
+  std::string error;
+  std::jthread thread;
+
+  void work(const std::stop_token& stop);
+  void work_on(const ReconstructionQuestion& asked_now,
+               std::uint64_t number,
+               std::optional<Laying>& laying,
+               const std::stop_token& stop);
+  /// Whether it is still wanted.
+  bool publish(std::uint64_t number,
+               Result<std::shared_ptr<const ReconstructedGround>> ground,
+               bool is_last);
+};
+
+bool GroundReconstruction::Implementation::publish(
+    std::uint64_t number, Result<std::shared_ptr<const ReconstructedGround>> ground, bool is_last) {
+  const std::lock_guard lock(mutex);
+  if (ground) {
+    // An answer to an older question of the same run still shows more than the one before.
+    if (number == asked || answer != nullptr) answer.swap(*ground);
+  } else if (number == asked) {
+    error = ground.error().message;
+  }
+  if (is_last || !ground) answered = std::max(answered, number);
+  return number == asked;
+}
+
+void GroundReconstruction::Implementation::work(const std::stop_token& stop) {
+  std::optional<Laying> laying;
+  while (!stop.stop_requested()) {
+    ReconstructionQuestion now;
+    std::uint64_t number = 0;
+    {
+      std::unique_lock lock(mutex);
+      if (!has_question.wait(lock, stop, [this] { return answered < asked; })) return;
+      now = question;
+      number = asked;
+    }
+    try {
+      work_on(now, number, laying, stop);
+    } catch (const std::exception& fault) {
+      laying.reset();
+      publish(number, fail(ErrorCode::kIo, "{}: {}", now.run->path.string(), fault.what()), true);
+    }
+  }
+}
+
+void GroundReconstruction::Implementation::work_on(const ReconstructionQuestion& now,
+                                                   std::uint64_t number,
+                                                   std::optional<Laying>& laying,
+                                                   const std::stop_token& stop) {
+  constexpr std::chrono::milliseconds kShowEvery(300);
+  if (!laying || !laying->leads_to(now)) laying.emplace(now);
+  auto shown = Clock::now();
+  while (laying->next() <= now.last_step && !stop.stop_requested()) {
+    if (const auto added = laying->add_next(*now.run); !added) {
+      publish(number, forward_error(added), true);
+      laying.reset();
+      return;
+    }
+    bool is_wanted = true;
+    if (Clock::now() - shown > kShowEvery) {
+      is_wanted = publish(number, laying->ground(), false);
+      shown = Clock::now();
+    } else {
+      const std::lock_guard lock(mutex);
+      is_wanted = number == asked;
+    }
+    if (!is_wanted) return;  // what is laid serves the next question, if that goes on from it
+  }
+  if (!stop.stop_requested()) publish(number, laying->ground(), true);
+}
+
+GroundReconstruction::GroundReconstruction() : implementation_(std::make_unique<Implementation>()) {
+  implementation_->thread = std::jthread(
+      [shared = implementation_.get()](const std::stop_token& stop) { shared->work(stop); });
+}
+
+GroundReconstruction::~GroundReconstruction() {
+  implementation_->thread.request_stop();
+  implementation_->thread.join();
+}
+
+void GroundReconstruction::ask(const ReconstructionQuestion& question) {
+  if (!question.run || question.run->steps.empty()) return;
+  ReconstructionQuestion asked = question;
+  asked.last_step = std::min(asked.last_step, asked.run->steps.size() - 1);
+  Implementation& shared = *implementation_;
+  {
+    const std::lock_guard lock(shared.mutex);
+    const bool is_same_run = is_of_one_run(shared.question, asked);
+    if (is_same_run && shared.question.last_step == asked.last_step) return;
+    if (!is_same_run) shared.answer.reset();
+    shared.question = std::move(asked);
+    ++shared.asked;
+  }
+  shared.has_question.notify_one();
+}
+
+std::shared_ptr<const ReconstructedGround> GroundReconstruction::answer() const {
+  const std::lock_guard lock(implementation_->mutex);
+  return implementation_->answer;
+}
+
+bool GroundReconstruction::is_working() const {
+  const std::lock_guard lock(implementation_->mutex);
+  return implementation_->answered < implementation_->asked;
+}
+
+std::string GroundReconstruction::take_error() {
+  const std::lock_guard lock(implementation_->mutex);
+  return std::exchange(implementation_->error, {});
+}
+
+}  // namespace nadir

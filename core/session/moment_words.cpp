@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/session/moment_explanation.h"
+
+namespace nadir {
+namespace {
+
+constexpr double kFewParticles = 0.05;
+
+/// "12 %", "less than 1 %".
+std::string percent_text(double share) {
+  if (share > 0.0 && share < 0.01) return "less than 1 %";
+  if (share < 1.0 && share > 0.99) return "more than 99 %";
+  return fmt::format("{:.0f} %", 100.0 * share);
+}
+
+std::string metres_of(double way_m) {
+  return fmt::format("{:.{}f} m", way_m, way_m < 10.0 ? 1 : 0);
+}
+
+/// "0.09 against 0.12", with as many digits as tell them apart.
+std::string costs_text(double first, double second, const char* between) {
+  std::string text;
+  for (int digits = 2; digits <= 3; ++digits) {
+    const std::string one = fmt::format("{:.{}f}", first, digits);
+    const std::string other = fmt::format("{:.{}f}", second, digits);
+    text = fmt::format("{}{}{}", one, between, other);
+    if (one != other) break;
+  }
+  return text;
+}
+
+/// The class that speaks most for the pose that fits better.
+const ClassDifference* telling_class(const MomentExplanation& moment, bool speaks_for_truth) {
+  const auto found =
+      std::find_if(moment.by_class.begin(), moment.by_class.end(), [&](const auto& difference) {
+        return speaks_for_truth ? difference.cost_difference < 0.0
+                                : difference.cost_difference > 0.0;
+      });
+  return found == moment.by_class.end() ? nullptr : &*found;
+}
+
+/// " Curb cells tell most: 12 % of them agree at the estimate, 85 % at the truth."
+std::string class_sentence(const ClassDifference* difference) {
+  if (difference == nullptr) return "";
+  std::string name(class_info(difference->id).name);
+  name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+  const auto at_estimate = difference->at_estimate.share();
+  const auto at_truth = difference->at_truth.share();
+  if (!at_estimate || !at_truth) {
+    return fmt::format(" {} cells tell most; at the {} they lie on unknown ground.", name,
+                       at_estimate ? "truth" : "estimate");
+  }
+  return fmt::format(" {} cells tell most: {} of them agree at the estimate, {} at the truth.",
+                     name, percent_text(*at_estimate), percent_text(*at_truth));
+}
+
+std::string words_of_no_evidence(const MomentExplanation& moment) {
+  if (moment.estimate.agreement.of_cell.empty()) return "No evidence: the topview is empty.";
+  if (!moment.estimate.mean_cost) {
+    return "No evidence: nothing that was seen is of a class that the map holds.";
+  }
+  if (moment.known_cells == 0) return "No evidence: no topview cell lies on known ground.";
+  return fmt::format("No evidence: only {} topview cell{} on known ground.", moment.known_cells,
+                     moment.known_cells == 1 ? " lies" : "s lie");
+}
+
+std::string words_of_without_truth(const MomentExplanation& moment) {
+  std::string text = fmt::format(
+      "The truth is not known here. The estimate fits the map at a mean cost of {:.2f}, and {} of "
+      "the cells on known ground agree.",
+      *moment.estimate.mean_cost, percent_text(moment.estimate.agreement.share().value_or(0.0)));
+  if (moment.modes.size() > 1) {
+    text += fmt::format(" The particles form {} clusters; the heaviest holds {}.",
+                        moment.modes.size(), percent_text(moment.modes.front().mode.mass));
+  }
+  return text;
+}
+
+std::string words_of_found(const MomentExplanation& moment) {
+  return fmt::format(
+      "The estimate is {} and {:.1f}° from the truth; the mean cost is {}.",
+      metres_of(*moment.error_m), *moment.error_deg,
+      costs_text(*moment.estimate.mean_cost, *moment.truth->mean_cost, " at the estimate, ") +
+          " at the truth");
+}
+
+/// Whether anybody was there to be found.
+std::string who_was_near(const MomentExplanation& moment) {
+  const double near_m = moment.rules.near_m;
+  const auto mode = std::find_if(moment.modes.begin(), moment.modes.end(), [&](const auto& fit) {
+    return fit.to_truth_m && *fit.to_truth_m <= near_m &&
+           *fit.to_truth_deg <= moment.rules.near_deg;
+  });
+  if (mode != moment.modes.end()) {
+    return fmt::format(", and a cluster with {} of the mass is there",
+                       percent_text(mode->mode.mass));
+  }
+  if (!moment.share_near_truth) return "";
+  const double share = *moment.share_near_truth;
+  if (share <= 0.0) return fmt::format(", but no particle was within {:g} m of it", near_m);
+  return fmt::format(", {} {} of the particles were within {:g} m of it",
+                     share < kFewParticles ? "but only" : "and", percent_text(share), near_m);
+}
+
+std::string words_of_truth_fits_better(const MomentExplanation& moment) {
+  return fmt::format("The true pose would have scored better ({}){}.",
+                     costs_text(*moment.truth->mean_cost, *moment.estimate.mean_cost, " against "),
+                     who_was_near(moment)) +
+         class_sentence(telling_class(moment, true));
+}
+
+std::string words_of_map_misleads(const MomentExplanation& moment) {
+  return fmt::format(
+             "The map itself misleads here, or what was seen does: the estimate, {} off, fits "
+             "better than the truth ({}).",
+             metres_of(*moment.error_m),
+             costs_text(*moment.estimate.mean_cost, *moment.truth->mean_cost, " against ")) +
+         class_sentence(telling_class(moment, false));
+}
+
+std::string words_of_both_fit(const MomentExplanation& moment) {
+  return fmt::format(
+      "What is seen here cannot tell the estimate from the truth, {} and {:.1f}° apart: both fit "
+      "about as well ({}){}.",
+      metres_of(*moment.error_m), *moment.error_deg,
+      costs_text(*moment.estimate.mean_cost, *moment.truth->mean_cost, " and "),
+      who_was_near(moment));
+}
+
+/// That the filter did not know how wrong it was, where so.
+std::string surety(const MomentExplanation& moment) {
+  if (moment.is_truth_inside_95.value_or(true)) return "";
+  std::string text = " The filter was too sure: the truth lies outside its 95 % ellipse";
+  if (moment.nees) text += fmt::format(" (NEES {:.0f}, where 3 is usual)", *moment.nees);
+  return text + ".";
+}
+
+}  // namespace
+
+std::string in_words(const MomentExplanation& moment) {
+  switch (moment.verdict) {
+    case MomentVerdict::kNoEvidence:
+      return words_of_no_evidence(moment) + surety(moment);
+    case MomentVerdict::kNoTruth:
+      return words_of_without_truth(moment);
+    case MomentVerdict::kFound:
+      return words_of_found(moment) + surety(moment);
+    case MomentVerdict::kTruthFitsBetter:
+      return words_of_truth_fits_better(moment) + surety(moment);
+    case MomentVerdict::kMapMisleads:
+      return words_of_map_misleads(moment) + surety(moment);
+    case MomentVerdict::kBothFitAlike:
+      return words_of_both_fit(moment) + surety(moment);
+  }
+  return "";
+}
+
+}  // namespace nadir

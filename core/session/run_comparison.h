@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/session/run_document.h"
+
+namespace nadir {
+
+using RunDocuments = std::span<const std::shared_ptr<const RunDocument>>;
+
+/// Something about the runs that is not the same in all of them. One value a run.
+struct SettingDifference {
+  std::string
+      name;  ///< "preset", "seed", "map", "flight", "program version", or an option as on the command line.
+  std::string unit;  ///< "m", or empty.
+  std::string help;  ///< Of an option; empty where it is none that this version knows.
+  std::vector<std::optional<std::string>> values;  ///< Nothing where a run does not say it.
+};
+
+/// A number of `nadir evaluate`. One value a run.
+struct MetricRow {
+  std::string key;    ///< As in its JSON and CSV: "estimate_position_rmse_m".
+  std::string label;  ///< For people: "Position RMSE".
+  std::string unit;   ///< "m", "deg", "ms", or empty for counts and shares.
+  /// In `unit`; angles here in degrees. Nothing where not known, such as errors of a run without truth.
+  std::vector<std::optional<double>> values;
+  /// Which way is better, where one is: -1 lower, 1 higher.
+  int better = 0;
+  /// The best of the known values; nothing where none is better than another. Only runs of one flight compete.
+  std::optional<std::size_t> best = {};
+};
+
+/// When two estimates count as parted.
+struct DivergenceRule {
+  double apart_m = 2.0;       ///< So far from each other, or ...
+  double apart_sigmas = 3.0;  ///< ... more sigmas of their difference, and at least ...
+  double at_least_m = 0.5;  ///< ... so far, for a collapsed filter has a sigma of millimetres, ...
+  double held_for_s = 1.0;  ///< ... for so long without a break.
+};
+
+/// Where two runs part.
+struct Divergence {
+  double time_s = 0.0;          ///< After the first run's first step.
+  std::size_t first_index = 0;  ///< Steps of the two runs at that time.
+  std::size_t second_index = 0;
+  double distance_m = 0.0;  ///< Between the estimates there.
+  double sigmas = 0.0;      ///< The same in sigmas; infinite where the covariances have no inverse.
+  std::string words;        ///< "0.8 m apart (4.1 sigma)"
+};
+
+/// The first moment from which on, for `held_for_s`, the estimates of two runs are farther apart than the rule allows.
+///
+/// Asked at every step of the first run that lies inside the second; between two steps of the second its position is
+/// interpolated, but not across its gaps. The sigma is that of independent estimates, sqrt(e' (P1 + P2)^-1 e); runs that
+/// share their flight are closer than that. Runs of different flights have none. O(n).
+[[nodiscard]] std::optional<Divergence> first_divergence(const RunDocument& first,
+                                                         const RunDocument& second,
+                                                         const DivergenceRule& rule = {});
+
+/// Distance between the estimates of two runs at every step of the first, metres; NaN where the second says nothing.
+[[nodiscard]] std::vector<double> distance_between_m(const RunDocument& first,
+                                                     const RunDocument& second);
+
+/// Whether two runs localised the same recording: by its hash, or by its name where a run does not know the hash.
+[[nodiscard]] bool are_of_same_flight(const RunHeader& a, const RunHeader& b);
+/// The same for maps.
+[[nodiscard]] bool are_on_same_map(const RunHeader& a, const RunHeader& b);
+
+/// Runs beside each other.
+struct RunComparison {
+  std::vector<std::string> names;  ///< One a run.
+  bool is_same_flight = true, is_same_map = true;
+  std::vector<SettingDifference>
+      settings;  ///< Only what differs: facts first, then options in the order of the field list.
+  std::vector<MetricRow> metrics;  ///< All of them, known or not.
+  std::vector<std::optional<Divergence>>
+      divergence;  ///< From the first run, one a run; nothing for the first itself.
+};
+
+/// @param runs  None null; may be one, or none.
+[[nodiscard]] RunComparison compare_runs(RunDocuments runs, const DivergenceRule& rule = {});
+
+}  // namespace nadir

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+#include "core/session/change_words.h"
+#include "core/session/session_core.h"
+
+namespace nadir {
+namespace {
+
+constexpr std::size_t kMostLogLines = 10'000;
+constexpr std::size_t kMostNotices = 200;
+
+}  // namespace
+
+Session::Session(SessionPlaces places)
+    : implementation_(std::make_unique<Implementation>(std::move(places))) {
+  implementation_->read_preferences();
+}
+
+Session::~Session() = default;
+
+Session::Implementation::~Implementation() {
+  for (RerunWork& work : reruns) work.job.request_stop();
+  for (SmallWork& work : small_works) work.job.request_stop();
+  for (RunWork& work : works) {
+    if (work.reading) work.reading->request_stop();
+  }
+  if (map_reading) map_reading->request_stop();
+  is_leaving = true;
+  std::vector<std::string> begun;
+  for (const RerunWork& work : reruns) begun.push_back(work.run.string());
+  reruns.clear();  // waits until what they have recorded is in the files
+  std::error_code error;
+  for (const std::string& run : begun) {
+    if (!std::filesystem::exists(run, error)) take_run_out(kept.view, run);
+  }
+  save_now();
+}
+
+Result<void> Session::Implementation::apply(const Action& action) {
+  KeptState before = kept;
+  const Playback playback_before = playback;
+  const Overlay overlay_before = overlay;
+  const std::string followed_before = followed_run;
+  auto done = std::visit([this](const auto& one) { return perform(one); }, action);
+  std::string words = action_text(action);
+  if (!done) {
+    kept = std::move(before);
+    playback = playback_before;
+    overlay = overlay_before;
+    followed_run = followed_before;
+    wanted_time_s.reset();
+    add_log(fmt::format("# {}: {}", words, done.error().message), {});
+    add_notice(Notice::Kind::kError, done.error().message, words);
+    return done;
+  }
+  const std::string key = merge_key(action);
+  add_log(std::move(words), key);
+  // Those have been to the history themselves.
+  const bool is_history = std::holds_alternative<actions::Undo>(action) ||
+                          std::holds_alternative<actions::Redo>(action);
+  if (is_history) {
+    reconcile();
+  } else {
+    settle(before, change_title(action, kept.view), key);
+  }
+  request_steps();
+  return {};
+}
+
+void Session::Implementation::settle(const KeptState& before,
+                                     std::string title,
+                                     std::string merge_key) {
+  if (!(kept == before)) history.commit(before, std::move(title), std::move(merge_key));
+  reconcile();
+}
+
+void Session::Implementation::poll(double elapsed_s) {
+  poll_reading(elapsed_s);
+  poll_reruns();
+  poll_small_works();
+  move_on(elapsed_s);
+  request_steps();
+  for (const OpenRun& run : runs) {
+    if (!run.cache) continue;
+    for (const Error& error : run.cache->take_errors()) {
+      add_notice(Notice::Kind::kWarning, error.message);
+    }
+  }
+  constexpr double kInfoShownS =
+      10.0;  // what has gone well is read once, all else stays until it is dismissed
+  for (Notice& notice : notices) notice.shown_s += elapsed_s;
+  std::erase_if(notices, [](const Notice& notice) {
+    return notice.kind == Notice::Kind::kInfo && !notice.remedy && notice.shown_s > kInfoShownS;
+  });
+  std::erase_if(leaving, [](const auto& has_left) { return has_left(); });
+  poll_saving(elapsed_s);
+}
+
+void Session::Implementation::add_notice(Notice notice) {
+  if (!notices.empty()) {  // the same again says nothing new
+    const Notice& last = notices.back();
+    if (last.kind == notice.kind && last.text == notice.text) return;
+  }
+  notice.number = ++last_number;
+  notices.push_back(std::move(notice));
+  if (notices.size() > kMostNotices) notices.erase(notices.begin());
+}
+
+void Session::Implementation::add_notice(Notice::Kind kind, std::string text, std::string details) {
+  add_notice(Notice{0, kind, std::move(text), std::move(details), std::nullopt, {}});
+}
+
+void Session::Implementation::add_log(std::string line, std::string key) {
+  if (!key.empty() && key == log_key && !log.empty()) {
+    log.back() = std::move(line);
+    return;
+  }
+  log_key = std::move(key);
+  log.push_back(std::move(line));
+  if (log.size() > kMostLogLines) log.erase(log.begin());
+}
+
+std::vector<JobStatus> Session::Implementation::jobs() const {
+  std::vector<JobStatus> list;
+  const auto add = [&list](int number, std::string title, const JobProgress& progress) {
+    list.push_back(
+        {number, std::move(title), progress.fraction, progress.activity, progress.remaining_s()});
+  };
+  for (std::size_t i = 0; i < works.size(); ++i) {
+    if (works[i].reading && !runs[i].document) {
+      add(works[i].number, "reading " + runs[i].name, works[i].reading->progress());
+    }
+  }
+  for (const RerunWork& work : reruns) {
+    add(work.number, (work.is_cancelled ? "stopping " : "localising ") + work.name,
+        work.job.progress());
+  }
+  for (const SmallWork& work : small_works) add(work.number, work.title, work.job.progress());
+  for (const EffectWork& work : effect_works) {
+    JobProgress progress{work.fraction, work.activity, 0.0};
+    progress.elapsed_s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - work.began).count();
+    add(work.number, work.title, progress);
+  }
+  std::sort(list.begin(), list.end(),
+            [](const JobStatus& a, const JobStatus& b) { return a.number < b.number; });
+  return list;
+}
+
+bool Session::Implementation::is_busy() const {
+  const bool is_reading =
+      map_reading.has_value() ||
+      std::any_of(works.begin(), works.end(),
+                  [](const RunWork& work) { return work.reading || work.is_last_reading_due; }) ||
+      std::any_of(flights.begin(), flights.end(),
+                  [](const auto& flight) { return flight.second.reading.has_value(); });
+  const bool is_decoding = std::any_of(runs.begin(), runs.end(), [](const OpenRun& run) {
+    return run.cache && !run.cache->is_cursor_ready();
+  });
+  return playback.is_playing || is_reading || is_decoding || !reruns.empty() ||
+         !small_works.empty() || !effect_works.empty();
+}
+
+const OpenRun* Session::Implementation::active() const {
+  const int number = kept.view.active_run;
+  return number > 0 && static_cast<std::size_t>(number) <= runs.size()
+             ? &runs[static_cast<std::size_t>(number) - 1]
+             : nullptr;
+}
+
+const RunDocument* Session::Implementation::active_document() const {
+  const OpenRun* const run = active();
+  return run != nullptr ? run->document.get() : nullptr;
+}
+
+Result<const OpenRun*> Session::Implementation::need_run() const {
+  const OpenRun* const run = active();
+  if (run == nullptr) return fail(ErrorCode::kInvalidOptions, "no run is open: open one first");
+  if (!run->document || run->document->steps.empty()) {
+    return fail(ErrorCode::kInvalidOptions, "{} is still being read", run->name);
+  }
+  return run;
+}
+
+Result<std::size_t> Session::Implementation::run_of(int number) const {
+  if (number < 1 || static_cast<std::size_t>(number) > runs.size()) {
+    return fail(ErrorCode::kInvalidOptions, "there is no run {}: {} {} open", number, runs.size(),
+                runs.size() == 1 ? "is" : "are");
+  }
+  return static_cast<std::size_t>(number) - 1;
+}
+
+Result<void> Session::apply(const Action& action) { return implementation_->apply(action); }
+void Session::poll(double elapsed_s) { implementation_->poll(elapsed_s); }
+bool Session::is_busy() const { return implementation_->is_busy(); }
+const ViewState& Session::view() const { return implementation_->kept.view; }
+const Playback& Session::playback() const { return implementation_->playback; }
+Overlay Session::overlay() const { return implementation_->overlay; }
+std::span<const OpenRun> Session::runs() const { return implementation_->runs; }
+const OpenRun* Session::active_run() const { return implementation_->active(); }
+const OpenMap* Session::map() const {
+  return implementation_->map ? &*implementation_->map : nullptr;
+}
+std::shared_ptr<const FlightRecording> Session::flight() const { return implementation_->flight(); }
+
+std::optional<std::size_t> Session::step_index() const {
+  const RunDocument* const run = implementation_->active_document();
+  if (run == nullptr) return std::nullopt;
+  return run->index_at(implementation_->playback.time_s);
+}
+
+std::shared_ptr<const RunStep> Session::step() const {
+  const OpenRun* const run = active_run();
+  const auto index = step_index();
+  return run != nullptr && run->cache && index ? run->cache->step(*index) : nullptr;
+}
+
+std::optional<std::size_t> Session::step_index_of(int run) const {
+  const RunDocument* const here = implementation_->active_document();
+  const auto index = implementation_->run_of(run);
+  if (here == nullptr || !index) return std::nullopt;
+  const auto& there = implementation_->runs[*index].document;
+  if (!there) return std::nullopt;
+  return there->index_at(here->time_in(*there, implementation_->playback.time_s));
+}
+
+MapLook Session::resolved_map_look() const { return implementation_->resolved_look(); }
+Result<RunOptions> Session::draft_options() const { return implementation_->draft_options(); }
+std::span<const Notice> Session::notices() const { return implementation_->notices; }
+std::vector<JobStatus> Session::jobs() const { return implementation_->jobs(); }
+std::span<const std::string> Session::log() const { return implementation_->log; }
+std::span<const std::string> Session::recents() const { return implementation_->recents; }
+
+std::vector<std::string> Session::layout_names() const {
+  std::vector<std::string> names = {"default"};
+  for (const auto& [name, layout] : implementation_->kept.layouts) names.push_back(name);
+  return names;
+}
+
+std::optional<std::string> Session::undo_title() const {
+  if (!implementation_->history.can_undo()) return std::nullopt;
+  return implementation_->history.undo_title();
+}
+
+std::optional<std::string> Session::redo_title() const {
+  if (!implementation_->history.can_redo()) return std::nullopt;
+  return implementation_->history.redo_title();
+}
+
+std::size_t Session::memory_used_bytes() const {
+  std::size_t bytes = 0;
+  for (const OpenRun& run : implementation_->runs) bytes += run.cache ? run.cache->used_bytes() : 0;
+  return bytes;
+}
+
+int Session::memory_budget_megabytes() const { return implementation_->kept.memory_megabytes; }
+
+std::vector<Effect> Session::take_effects() { return std::exchange(implementation_->effects, {}); }
+
+void Session::finish_effect(int job, const std::string& error, const std::string& made) {
+  implementation_->finish_effect(job, error, made);
+}
+
+void Session::report_effect(int job, double fraction, const std::string& activity) {
+  implementation_->report_effect(job, fraction, activity);
+}
+
+std::vector<int> Session::take_cancelled_effects() {
+  return std::exchange(implementation_->cancelled_effects, {});
+}
+
+void Session::set_map_aspect(double width_by_height) {
+  if (width_by_height > 0.0 && std::isfinite(width_by_height)) {
+    implementation_->map_aspect = width_by_height;
+  }
+}
+
+void Session::seal_history() {
+  implementation_->history.seal();
+  implementation_->log_key.clear();
+}
+
+void Session::notify(Notice::Kind kind, std::string text, std::string details) {
+  implementation_->add_notice(kind, std::move(text), std::move(details));
+}
+
+void Session::restore() { implementation_->restore(); }
+
+}  // namespace nadir

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/run/run_options.h"
+#include "core/session/action.h"
+#include "core/session/effect.h"
+#include "core/session/notice.h"
+#include "core/session/open_run.h"
+#include "core/session/view_state.h"
+
+namespace nadir {
+
+/// Where a session finds and keeps things.
+struct SessionPlaces {
+  std::filesystem::path
+      config;  ///< Folder of preferences and of the last session; made when first written.
+  std::filesystem::path
+      data;  ///< Folder for the demo and for new runs whose flight's folder cannot be written.
+  std::filesystem::path bundled_map;  ///< The demo's map.
+  /// The recipe that a PNG or SVG carries, as text; called from a job's thread. Empty: figures cannot be opened.
+  std::function<Result<std::string>(const std::filesystem::path& figure)> recipe_in_figure = {};
+};
+
+/// What is open, how it is looked at and what is being done: the only writer. One thread; nothing in here waits for a disk
+/// or for work, but for files of a few kilobytes. Every change comes by apply(), or by poll() from work that has gone on.
+/// What it hands out by reference, pointer or span stays until the next call of either.
+class Session {
+ public:
+  explicit Session(SessionPlaces places);
+  ~Session();  ///< Stops all work; what a rerun has recorded stays.
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Does what was asked, or says why not; then nothing has changed. Errors become notices too, so that callers other than
+  /// scripts and tests need not look. Logged by its words.
+  Result<void> apply(const Action& action);
+  /// Call once a frame: takes over what jobs have finished, moves playback on, saves what has changed.
+  /// @param elapsed_s  Since the last call.
+  void poll(double elapsed_s);
+  /// Whether anything moves by itself (playing, jobs), so that the window must draw again soon.
+  [[nodiscard]] bool is_busy() const;
+
+  [[nodiscard]] const ViewState& view() const;
+  [[nodiscard]] const Playback& playback() const;
+  [[nodiscard]] Overlay overlay() const;
+  [[nodiscard]] std::span<const OpenRun> runs() const;  ///< As view().runs.
+  [[nodiscard]] const OpenRun* active_run() const;      ///< Null: none.
+  [[nodiscard]] const OpenMap* map() const;             ///< Null: none.
+  /// Flight of the active run or the one opened by itself; null where it is not there or not read yet.
+  [[nodiscard]] std::shared_ptr<const FlightRecording> flight() const;
+  /// Index of the active run's step at the moment; nothing without a run or before it is read.
+  [[nodiscard]] std::optional<std::size_t> step_index() const;
+  /// The same with particles and topview; null until it has been decoded.
+  [[nodiscard]] std::shared_ptr<const RunStep> step() const;
+  /// Index of the step of another open run at the same time. @param run  Number.
+  [[nodiscard]] std::optional<std::size_t> step_index_of(int run) const;
+  /// Camera of the window: centre, width and up as they are to be drawn now, following and heading resolved.
+  [[nodiscard]] MapLook resolved_map_look() const;
+
+  /// Options of the next run: preset with changes. @errors kInvalidOptions, where a kept change no longer fits.
+  [[nodiscard]] Result<RunOptions> draft_options() const;
+  [[nodiscard]] std::span<const Notice> notices() const;
+  [[nodiscard]] std::vector<JobStatus> jobs() const;
+  [[nodiscard]] std::span<const std::string> log()
+      const;  ///< Words of all that was done, oldest first.
+  [[nodiscard]] std::span<const std::string> recents() const;  ///< Paths, newest first.
+  [[nodiscard]] std::vector<std::string> layout_names() const;
+  [[nodiscard]] std::optional<std::string> undo_title() const;
+  [[nodiscard]] std::optional<std::string> redo_title() const;
+  [[nodiscard]] std::size_t memory_used_bytes() const;
+  [[nodiscard]] int memory_budget_megabytes() const;
+
+  [[nodiscard]] std::vector<Effect> take_effects();
+  /// @param error  Empty: done; the file that came of it is `made`.
+  void finish_effect(int job, const std::string& error, const std::string& made);
+  void report_effect(int job, double fraction, const std::string& activity);
+  /// Jobs of effects that the user has cancelled since the last call: the shell stops them.
+  [[nodiscard]] std::vector<int> take_cancelled_effects();
+  /// Width by height of the map's view, for what is fitted into it. Changes nothing else.
+  void set_map_aspect(double width_by_height);
+  /// A change by drag or typing is over: the next one is a step of its own.
+  void seal_history();
+  /// For what the shell has to say: a file that could not be dropped, a message of VTK.
+  void notify(Notice::Kind kind, std::string text, std::string details = {});
+
+  /// Opens what was open when the program was last left, or killed; a run that it was writing then is offered.
+  void restore();
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace nadir

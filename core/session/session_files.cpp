@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// Opening what lies on the disk, told by what is in it.
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <system_error>
+
+#include "core/base/settings.h"
+#include "core/base/staged_output.h"
+#include "core/session/session_core.h"
+
+namespace nadir {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMostRecents = 20;
+constexpr std::uintmax_t kMostRecipeBytes = 1U << 20U;
+
+enum class FileKind { kRun, kMap, kFlight, kFigureRecipe, kRunRecipe, kFigure, kOther };
+
+std::string ending_in_lower_case(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return ending;
+}
+
+bool begins_like_sqlite(const fs::path& path) {
+  constexpr std::string_view kMagic = "SQLite format 3";
+  std::array<char, kMagic.size()> begin{};
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(begin.data(), begin.size());
+  return stream.gcount() == static_cast<std::streamsize>(begin.size()) &&
+         std::string_view(begin.data(), begin.size()) == kMagic;
+}
+
+Result<FileKind> kind_of_toml(const fs::path& path) {
+  std::error_code error;
+  if (fs::file_size(path, error) > kMostRecipeBytes) {
+    return fail(ErrorCode::kUnsupported, "{}: is too large for a recipe", path.string());
+  }
+  const auto settings = Settings::read(path);
+  if (!settings) return forward_error(settings);
+  if (settings->has("figure")) return FileKind::kFigureRecipe;
+  if (settings->has("preset") || settings->has("options")) return FileKind::kRunRecipe;
+  return fail(ErrorCode::kUnsupported,
+              "{}: is no recipe: it names neither a figure nor a preset or options", path.string());
+}
+
+Result<FileKind> kind_of_file(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) {
+    return fail(ErrorCode::kNotFound, "{}: does not exist", path.string());
+  }
+  if (fs::is_directory(path, error)) {
+    return fs::exists(path / "map.toml", error) ? FileKind::kMap : FileKind::kFlight;
+  }
+  if (path.filename() == "map.toml" || path.filename() == "flight.toml") return FileKind::kOther;
+  const std::string ending = ending_in_lower_case(path);
+  if (begins_like_sqlite(path)) return FileKind::kRun;
+  if (ending == ".nadir") {
+    return fail(ErrorCode::kMalformed, "{}: is not a run file", path.string());
+  }
+  if (ending == ".toml") return kind_of_toml(path);
+  if (ending == ".png" || ending == ".svg") return FileKind::kFigure;
+  if (ending == ".pdf" || ending == ".mp4") {
+    return fail(ErrorCode::kUnsupported, "{}: only PNG and SVG figures carry what they show",
+                path.string());
+  }
+  return FileKind::kFlight;
+}
+
+}  // namespace
+
+std::string absolute_path(const fs::path& path) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(path, error);
+  fs::path normal = (error ? path : whole).lexically_normal();
+  if (!normal.has_filename() && normal.has_parent_path() && normal != normal.root_path()) {
+    normal = normal.parent_path();
+  }
+  return normal.string();
+}
+
+void take_run_out(ViewState& view, const std::string& path) {
+  const auto found = std::find_if(view.runs.begin(), view.runs.end(),
+                                  [&](const RunLook& look) { return look.path == path; });
+  if (found == view.runs.end()) return;
+  const int number = static_cast<int>(found - view.runs.begin()) + 1;
+  view.runs.erase(found);
+  const int count = static_cast<int>(view.runs.size());
+  if (view.active_run == number) view.selected_particle.reset();
+  if (view.active_run >= number) --view.active_run;
+  view.active_run = std::clamp(view.active_run, std::min(count, 1), count);
+  if (count < 2) view.map.is_split = false;
+}
+
+void Session::Implementation::remember(const std::string& path) {
+  std::erase(recents, path);
+  recents.insert(recents.begin(), path);
+  if (recents.size() > kMostRecents) recents.pop_back();
+}
+
+void Session::Implementation::open_run(const std::string& path) {
+  ViewState& view = kept.view;
+  const auto found = std::find_if(view.runs.begin(), view.runs.end(),
+                                  [&](const RunLook& look) { return look.path == path; });
+  if (found != view.runs.end()) {
+    found->is_shown = true;
+    view.active_run = static_cast<int>(found - view.runs.begin()) + 1;
+    return;
+  }
+  int colour = 0;  // the first that no other run has
+  const auto is_taken = [&](const RunLook& look) { return look.colour == colour; };
+  while (std::any_of(view.runs.begin(), view.runs.end(), is_taken)) ++colour;
+  view.runs.push_back({path, true, colour});
+  view.active_run = static_cast<int>(view.runs.size());
+  view.selected_particle.reset();
+}
+
+Result<void> Session::Implementation::open_map(const fs::path& package) {
+  // A few lines of text: whether it is a map at all is said at once.
+  const auto provenance = read_map_provenance(package);
+  if (!provenance) return forward_error(provenance);
+  look_at_map(absolute_path(package));
+  return {};
+}
+
+void Session::Implementation::look_at_map(const std::string& path) {
+  if (kept.view.map_path != path && !kept.view.map_path.empty()) {
+    kept.view.map.width_m = 0.0;  // what was looked at lies elsewhere
+    kept.view.map.measured_in_enu_m.clear();
+  }
+  kept.view.map_path = path;
+}
+
+void Session::Implementation::use_map_of_active_run() {
+  const ViewState& view = kept.view;
+  if (view.active_run == 0) return;
+  const std::string& run = view.runs.at(static_cast<std::size_t>(view.active_run) - 1).path;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i].path.string() != run || works[i].map_path.empty()) continue;
+    look_at_map(works[i].map_path);
+  }
+}
+
+Result<void> Session::Implementation::perform(const actions::OpenFile& action) {
+  if (action.path.empty()) return fail(ErrorCode::kInvalidOptions, "no file is named");
+  fs::path path = absolute_path(action.path);
+  const auto kind = kind_of_file(path);
+  if (!kind) return forward_error(kind);
+  switch (*kind) {
+    case FileKind::kRun:
+      open_run(path.string());
+      return {};
+    case FileKind::kMap:
+      return open_map(path);
+    case FileKind::kOther:
+      if (path.filename() == "map.toml") return open_map(path.parent_path());
+      path = path.parent_path();
+      [[fallthrough]];
+    case FileKind::kFlight:
+      kept.view.flight_path = path.string();
+      return {};
+    case FileKind::kFigureRecipe: {
+      const auto text = read_text_file(path, kMostRecipeBytes);
+      if (!text) return forward_error(text);
+      return open_recipe(*text, path);
+    }
+    case FileKind::kRunRecipe:
+      return perform(actions::UsePreset{path.string()});
+    case FileKind::kFigure:
+      if (!places.recipe_in_figure) {
+        return fail(ErrorCode::kUnsupported, "{}: figures cannot be opened here", path.string());
+      }
+      open_recipe_later(path);
+      return {};
+  }
+  return {};
+}
+
+Result<void> Session::Implementation::perform(const actions::OpenDemo& /*action*/) {
+  const fs::path folder = places.data / "demo";
+  const fs::path run = folder / "run.nadir";
+  std::error_code error;
+  if (fs::exists(run, error)) return perform(actions::OpenFile{run.string()});
+  if (places.data.empty()) {
+    return fail(ErrorCode::kIo, "there is no folder to make the demo in");
+  }
+  const bool is_being_made =
+      std::any_of(effect_works.begin(), effect_works.end(),
+                  [](const EffectWork& work) { return work.opens_result && !work.is_cancelled; });
+  if (is_being_made) return fail(ErrorCode::kInvalidOptions, "the demo is being made already");
+  const int job = begin_effect("making the demo", true);
+  effects.emplace_back(MakeDemoEffect{job, absolute_path(folder)});
+  return {};
+}
+
+Result<void> Session::Implementation::perform(const actions::CloseRun& action) {
+  const auto index = run_of(action.run);
+  if (!index) return forward_error(index);
+  const bool was_active = action.run == kept.view.active_run;
+  take_run_out(kept.view, runs[*index].path.string());
+  if (was_active) use_map_of_active_run();
+  return {};
+}
+
+Result<void> Session::Implementation::perform(const actions::Quit& /*action*/) {
+  effects.emplace_back(QuitEffect{});
+  return {};
+}
+
+Result<void> Session::Implementation::perform(const actions::ActivateRun& action) {
+  const auto index = run_of(action.run);
+  if (!index) return forward_error(index);
+  if (kept.view.active_run != action.run) kept.view.selected_particle.reset();
+  kept.view.active_run = action.run;
+  kept.view.runs.at(*index).is_shown = true;
+  use_map_of_active_run();
+  return {};
+}
+
+Result<void> Session::Implementation::perform(const actions::ShowRun& action) {
+  const auto index = run_of(action.run);
+  if (!index) return forward_error(index);
+  RunLook& look = kept.view.runs.at(*index);
+  if (action.run == kept.view.active_run && !switched(look.is_shown, action.to)) {
+    return fail(ErrorCode::kInvalidOptions, "{} is the active run, which is always shown",
+                runs[*index].name);
+  }
+  look.is_shown = switched(look.is_shown, action.to);
+  return {};
+}
+
+}  // namespace nadir

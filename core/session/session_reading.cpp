@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs on their way from the disk. All reading is done by jobs; this takes over what they have read.
+#include <algorithm>
+#include <set>
+
+#include "core/session/run_comparison.h"
+#include "core/session/session_core.h"
+
+namespace nadir {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kLeastBetweenReadingsS = 0.25;
+
+/// The file's name, with its folder or a number where another open run is called so.
+std::string name_of_run(const fs::path& path, const std::set<std::string>& taken) {
+  std::string stem = path.stem().string();
+  if (!taken.contains(stem)) return stem;
+  std::string with_folder = stem + " (" + path.parent_path().filename().string() + ")";
+  if (!taken.contains(with_folder)) return with_folder;
+  for (int number = 2;; ++number) {
+    std::string numbered = fmt::format("{} ({})", stem, number);
+    if (!taken.contains(numbered)) return numbered;
+  }
+}
+
+}  // namespace
+
+bool Session::Implementation::is_being_written(const fs::path& run) const {
+  return std::any_of(reruns.begin(), reruns.end(),
+                     [&](const RerunWork& work) { return work.run == run; });
+}
+
+void Session::Implementation::reconcile() {
+  const ViewState& view = kept.view;
+  const bool are_the_same =
+      std::equal(runs.begin(), runs.end(), view.runs.begin(), view.runs.end(),
+                 [](const OpenRun& run, const RunLook& look) { return run.path == look.path; });
+  if (!are_the_same) reconcile_runs();
+  for (OpenRun& run : runs) {
+    const auto marked = kept.bookmarks.find(run.path.string());
+    if (marked != kept.bookmarks.end()) run.bookmarks = marked->second;
+  }
+  share_memory();
+  reconcile_map();
+  if (!view.flight_path.empty()) begin_flight(view.flight_path);
+  settle_time();
+}
+
+void Session::Implementation::reconcile_runs() {
+  const ViewState& view = kept.view;
+  std::vector<OpenRun> next_runs;
+  std::vector<RunWork> next_works;
+  std::set<std::string> names;
+  for (const RunLook& look : view.runs) {
+    const auto found = std::find_if(runs.begin(), runs.end(), [&](const OpenRun& run) {
+      return run.path.string() == look.path;
+    });
+    if (found != runs.end()) {
+      const auto index = static_cast<std::size_t>(found - runs.begin());
+      next_runs.push_back(std::move(*found));
+      next_works.push_back(std::move(works[index]));
+      runs.erase(found);
+      works.erase(works.begin() + static_cast<std::ptrdiff_t>(index));
+    } else {
+      OpenRun run;
+      run.path = look.path;
+      RunWork& work = next_works.emplace_back();
+      work.number = ++last_number;
+      const auto writer = std::find_if(reruns.begin(), reruns.end(), [&](const RerunWork& rerun) {
+        return rerun.run == run.path;
+      });
+      if (writer != reruns.end()) {  // what it is made from is known before its first step
+        run.is_live = true;
+        work.flight_path = writer->flight_path;
+        work.map_path = writer->map_path;
+      }
+      next_runs.push_back(std::move(run));
+    }
+    OpenRun& run = next_runs.back();
+    run.name = name_of_run(run.path, names);
+    names.insert(run.name);
+  }
+  for (RunWork& work : works) let_go(work.reading);
+  for (OpenRun& run : runs) {  // its thread may be in the middle of a step
+    if (!run.cache) continue;
+    std::optional<Job<int, int>> closing(
+        std::in_place,
+        [cache = std::move(run.cache)](const auto& /*context*/, const auto& /*publish*/) mutable {
+          cache.reset();
+          return Result<int>(0);
+        });
+    let_go(closing);
+  }
+  runs = std::move(next_runs);
+  works = std::move(next_works);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!runs[i].document && !works[i].reading && !runs[i].is_live) begin_reading(i);
+  }
+}
+
+void Session::Implementation::settle_time() {
+  const OpenRun* const run = active();
+  const std::string path = run != nullptr ? run->path.string() : std::string();
+  if (wanted_time_s) {
+    playback.time_s = *wanted_time_s;
+    timed_path = path;
+    timed_document = nullptr;
+    wanted_time_s.reset();
+  }
+  if (run == nullptr) {
+    playback.is_playing = false;
+    followed_run.clear();
+    return;
+  }
+  if (!run->document) return;
+  const RunDocument& now = *run->document;
+  if (path != timed_path && timed_document) {
+    const RunDocument& before = *timed_document;
+    if (are_of_same_flight(before.header, now.header)) {
+      const double shift_s = before.time_in(now, 0.0);
+      playback.time_s += shift_s;
+      if (playback.loop_from_s) *playback.loop_from_s += shift_s;
+      if (playback.loop_to_s) *playback.loop_to_s += shift_s;
+    } else {
+      playback.time_s = 0.0;
+      playback.loop_from_s.reset();
+      playback.loop_to_s.reset();
+      playback.is_playing = false;
+    }
+  }
+  timed_path = path;
+  timed_document = run->document;
+  const double end_s = now.duration_s();
+  if (followed_run == path) playback.time_s = end_s;
+  // What is being written may still come to where the cursor waits.
+  if (!run->is_live) playback.time_s = std::min(playback.time_s, end_s);
+  playback.time_s = std::max(playback.time_s, 0.0);
+  if (playback.loop_from_s && (*playback.loop_from_s < 0.0 || *playback.loop_from_s >= end_s)) {
+    playback.loop_from_s.reset();
+    playback.loop_to_s.reset();
+  }
+}
+
+void Session::Implementation::begin_reading(std::size_t run) {
+  const auto earlier = runs[run].document;
+  works[run].since_reading_s = 0.0;
+  works[run].is_last_reading_due = false;
+  works[run].reading.emplace(
+      [earlier, path = runs[run].path](const WorkContext& context,
+                                       const auto& /*publish*/) -> Result<ReadRun> {
+        auto document =
+            earlier ? RunDocument::grown(earlier, context) : RunDocument::load(path, context);
+        if (!document) return forward_error(document);
+        ReadRun read{std::move(*document), {}, std::nullopt};
+        if (earlier) return read;
+        auto bookmarks = read_bookmarks(path);
+        if (bookmarks) {
+          read.bookmarks = std::move(*bookmarks);
+        } else {
+          read.bookmarks_fault = bookmarks.error();
+        }
+        return read;
+      });
+}
+
+void Session::Implementation::take_run(std::size_t index) {
+  RunWork& work = works[index];
+  OpenRun& run = runs[index];
+  Result<ReadRun> read = std::move(*work.reading->outcome());
+  work.reading.reset();
+  if (!read) {
+    if (run.document) {  // it was readable before; what is there of it stays
+      add_notice(Notice::Kind::kWarning, read.error().message);
+      return;
+    }
+    add_notice(Notice::Kind::kError, read.error().message);
+    drop_run(run.path.string());
+    return;
+  }
+  const bool is_first = run.document == nullptr;
+  run.document = std::move(read->document);
+  run.moments = run.document->worst_moments;
+  if (!is_first) {
+    if (run.cache) run.cache->set_document(run.document);
+    settle_time();
+    if (!run.is_live && followed_run == run.path) followed_run.clear();
+    return;
+  }
+  const std::string path = run.path.string();
+  if (run.document->steps.empty() && !run.is_live) {
+    add_notice(Notice::Kind::kError, fmt::format("{}: holds no steps", path));
+    drop_run(path);
+    return;
+  }
+  run.cache = std::make_shared<StepCache>(run.document);
+  share_memory();
+  if (read->bookmarks_fault) {
+    add_notice(Notice::Kind::kWarning, read->bookmarks_fault->message);
+  } else {
+    run.bookmarks = read->bookmarks;
+    kept.bookmarks[path] = std::move(read->bookmarks);
+  }
+  if (!run.is_live) remember(path);
+  find_inputs(index);
+}
+
+void Session::Implementation::drop_run(const std::string& path) {
+  std::erase(recents, path);
+  amend([&path](KeptState& state) {
+    take_run_out(state.view, path);
+    state.bookmarks.erase(path);
+  });
+  reconcile();
+}
+
+void Session::Implementation::poll_reading(double elapsed_s) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    works[i].since_reading_s += elapsed_s;
+    if (works[i].reading && works[i].reading->is_done()) {
+      take_run(i);
+      break;  // the list may be another one now; the rest comes with the next frame
+    }
+  }
+  take_map();
+  take_flights();
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (works[i].reading) continue;
+    if (works[i].is_last_reading_due) begin_reading(i);
+    if (!runs[i].is_live || works[i].since_reading_s < kLeastBetweenReadingsS) continue;
+    const auto writer = std::find_if(reruns.begin(), reruns.end(), [&](const RerunWork& work) {
+      return work.run == runs[i].path;
+    });
+    if (writer == reruns.end()) continue;
+    const auto progress = writer->job.latest();
+    const std::size_t known = runs[i].document ? runs[i].document->steps.size() : 0;
+    if (progress && static_cast<std::size_t>(progress->steps) > known) begin_reading(i);
+  }
+}
+
+void Session::Implementation::share_memory() {
+  const auto count = static_cast<std::size_t>(std::count_if(
+      runs.begin(), runs.end(), [](const OpenRun& run) { return run.cache != nullptr; }));
+  if (count == 0) return;
+  const std::size_t bytes = (static_cast<std::size_t>(kept.memory_megabytes) << 20U) / count;
+  for (OpenRun& run : runs) {
+    if (run.cache) run.cache->set_budget_bytes(bytes);
+  }
+}
+
+void Session::Implementation::request_steps() {
+  const RunDocument* const here = active_document();
+  if (here == nullptr) return;
+  const WindowLayout& layout = kept.view.layout;
+  const bool shows_camera =
+      !layout.is_map_only &&
+      (layout.shows(Panel::kCamera) || layout.shows(Panel::kMoment) || layout.shows(Panel::kScene));
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!runs[i].cache || !kept.view.runs.at(i).is_shown) continue;
+    const RunDocument& there = *runs[i].document;
+    const auto index = there.index_at(here->time_in(there, playback.time_s));
+    if (!index) continue;
+    const bool is_active = static_cast<int>(i) + 1 == kept.view.active_run;
+    runs[i].cache->request({*index, direction, playback.is_playing, is_active && shows_camera});
+  }
+}
+
+}  // namespace nadir

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Figures and their recipes: what is opened of them is the moment that they show.
+#include <algorithm>
+#include <cstdio>
+#include <system_error>
+
+#include "core/base/settings.h"
+#include "core/session/session_core.h"
+
+namespace nadir {
+namespace fs = std::filesystem;
+
+void Session::Implementation::open_recipe_later(const fs::path& figure) {
+  const auto read = places.recipe_in_figure;
+  small_works.push_back(
+      {++last_number, "reading " + figure.filename().string(),
+       Job<int, std::string>([read, figure](const WorkContext& /*context*/,
+                                            const auto& /*publish*/) { return read(figure); }),
+       [this, figure](const std::string& text) {
+         const KeptState before = kept;
+         if (const auto opened = open_recipe(text, figure); !opened) {
+           kept = before;
+           wanted_time_s.reset();
+           add_notice(Notice::Kind::kError, opened.error().message);
+           return;
+         }
+         remember(figure.string());
+         settle(before, "Open " + figure.filename().string(), {});
+       }});
+}
+
+Result<void> Session::Implementation::open_recipe(std::string_view text, const fs::path& file) {
+  const auto recipe = Settings::parse(text, file.string());
+  if (!recipe) return forward_error(recipe);
+  const auto figure = recipe->text("figure");
+  if (!figure) return forward_error(figure);
+  // A figure names its runs from where it was drawn, a recipe from where it lies.
+  const auto placed = [&file](const std::string& named) {
+    std::error_code error;
+    const fs::path beside = file.parent_path() / named;
+    return absolute_path(fs::exists(beside, error) ? beside : fs::path(named));
+  };
+  const auto runs_named = recipe->has("runs") ? recipe->texts("runs") : std::vector<std::string>();
+  if (!runs_named) return forward_error(runs_named);
+  const auto map_named = recipe->text_or("map", "");
+  if (!map_named) return forward_error(map_named);
+  std::error_code error;
+  for (const std::string& run : *runs_named) {
+    if (!fs::exists(placed(run), error)) {
+      return fail(ErrorCode::kNotFound, "{}: its run {} is not there", file.string(), run);
+    }
+    open_run(placed(run));
+  }
+  if (!runs_named->empty()) open_run(placed(runs_named->front()));  // the one that it is about
+  if (!map_named->empty()) {
+    if (auto opened = open_map(placed(*map_named)); !opened) {
+      return forward_error(opened, file.string());
+    }
+  }
+  if (recipe->has("options.time")) {
+    const auto time_s = recipe->number("options.time");
+    if (!time_s) return forward_error(time_s);
+    wanted_time_s = std::max(0.0, *time_s);
+  }
+  if (!recipe->has("options.crop")) return {};
+  const auto crop = recipe->scalar_as_text("options.crop");
+  if (!crop) return forward_error(crop);
+  // "40", or "40@12.5,-30".
+  double width_m = 0.0, east_m = 0.0, north_m = 0.0;
+  const int read = std::sscanf(crop->c_str(), "%lf@%lf,%lf", &width_m, &east_m, &north_m);
+  if (read >= 1 && width_m >= kLeastMapWidthM && width_m <= kMostMapWidthM) {
+    kept.view.map.width_m = width_m;
+  }
+  kept.view.map.is_following = read == 1;  // around the vehicle
+  if (read == 3) kept.view.map.centre_in_enu_m = {east_m, north_m};
+  return {};
+}
+
+}  // namespace nadir

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fstream>
+
+#include "core/base/staged_output.h"
+#include "tests/core/session/session_fixture.h"
+
+namespace nadir {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+class SessionKeepingTest : public SessionTest {
+ protected:
+  [[nodiscard]] fs::path session_file() const {
+    return scratch_.path() / "config" / "session.toml";
+  }
+  [[nodiscard]] fs::path preferences_file() const {
+    return scratch_.path() / "config" / "preferences.toml";
+  }
+  void restart() {
+    start();
+    session_->restore();
+    settle();
+  }
+};
+
+TEST_F(SessionKeepingTest, FindsEverythingAsItWasLeft) {
+  open_run();
+  act("open " + copy_run("second.nadir").string());
+  settle();
+  for (const char* words : {"run 1", "seek 2.25", "speed 2", "loop 1 3", "look 20 28 33",
+                            "follow on", "layer labels on", "panel why on", "splitter left 321",
+                            "theme light", "scale 1.25", "option particles 500", "strip nees off",
+                            "select-particle 5", "measure 1 2", "memory 99", "save-layout mine"}) {
+    act(words);
+  }
+  settle();
+  const ViewState view = session_->view();
+  const Playback playback = session_->playback();
+  std::vector<std::string> recents(session_->recents().begin(), session_->recents().end());
+  restart();
+  EXPECT_EQ(session_->view(), view);
+  EXPECT_EQ(session_->playback(), playback);
+  std::vector<std::string> now(session_->recents().begin(), session_->recents().end());
+  std::sort(recents.begin(), recents.end());
+  std::sort(now.begin(), now.end());
+  EXPECT_EQ(now, recents);
+  EXPECT_EQ(session_->memory_budget_megabytes(), 99);
+  EXPECT_THAT(session_->layout_names(), ElementsAre("default", "mine"));
+  EXPECT_THAT(session_->runs(), SizeIs(2));
+  EXPECT_NE(session_->flight(), nullptr);
+  EXPECT_THAT(session_->notices(), IsEmpty());
+  EXPECT_FALSE(session_->undo_title()) << "another session's changes are not undone";
+}
+
+TEST_F(SessionKeepingTest, DoesNotPlayOnByItself) {
+  open_run();
+  act("play on");
+  restart();
+  EXPECT_FALSE(session_->playback().is_playing);
+}
+
+TEST_F(SessionKeepingTest, KeepsPreferencesForASessionThatRestoresNothing) {
+  act("theme light");
+  act("scale 2");
+  act("splitter left 333");
+  act("save-layout mine");
+  start();
+  EXPECT_EQ(session_->view().appearance, (Appearance{LightOrDark::kLight, 2.0, false}));
+  EXPECT_EQ(session_->view().layout, default_layout());
+  act("layout mine");
+  EXPECT_EQ(session_->view().layout.left_pt, 333.0);
+}
+
+/// Run by the next test in a process of its own.
+TEST(DISABLED_KilledSession, ChangesItsLookAndIsKilled) {
+  const fs::path folder = folder_of_this_process();
+  ASSERT_FALSE(folder.empty()) << "only as part of another test";
+  Session session(places_in(folder));
+  ASSERT_TRUE(session.apply(actions::SetTheme{LightOrDark::kLight}));
+  ASSERT_TRUE(session.apply(actions::LookAt{1.0, 2.0, 30.0}));
+  session.poll(1.5);
+  poll_until(session, [&] { return fs::exists(folder / "config" / "preferences.toml"); });
+  ::raise(SIGKILL);
+}
+
+TEST_F(SessionKeepingTest, SavesWithinASecondSoThatAKillLosesLittle) {
+  session_.reset();
+  fs::remove_all(scratch_.path() / "config");
+  ASSERT_EQ(killed_by_running("DISABLED_KilledSession.ChangesItsLookAndIsKilled", scratch_.path()),
+            SIGKILL);
+  session_ = std::make_unique<Session>(places());
+  session_->restore();
+  EXPECT_EQ(session_->view().appearance.theme, LightOrDark::kLight);
+  EXPECT_EQ(session_->view().map.centre_in_enu_m, Eigen::Vector2d(1.0, 2.0));
+}
+
+TEST_F(SessionKeepingTest, WritesOnlyWhatHasChanged) {
+  act("theme light");
+  session_->poll(1.5);
+  poll_until(*session_, [&] { return fs::exists(session_file()); });
+  session_->poll(0.0);
+  fs::remove(session_file());
+  for (int i = 0; i < 5; ++i) session_->poll(1.5);
+  EXPECT_FALSE(fs::exists(session_file())) << "nothing has changed since";
+}
+
+TEST_F(SessionKeepingTest, SetsADamagedSessionAsideWithOneNotice) {
+  act("theme light");
+  start();
+  session_.reset();
+  std::ofstream(session_file()) << "version = 1\n[map_view]\nup = \"down\"\n";
+  session_ = std::make_unique<Session>(places());
+  session_->restore();
+  EXPECT_THAT(notice_texts(), ElementsAre(HasSubstr("up is none that this version knows")));
+  EXPECT_THAT(session_->notices()[0].text, HasSubstr("session.toml.damaged"));
+  EXPECT_TRUE(fs::exists(session_file().string() + ".damaged"));
+  EXPECT_EQ(session_->view().map, default_map_look());
+  EXPECT_EQ(session_->view().appearance.theme, LightOrDark::kLight)
+      << "preferences are another file";
+  act("theme dark");
+  restart();
+  EXPECT_THAT(session_->notices(), IsEmpty());
+}
+
+TEST_F(SessionKeepingTest, SetsDamagedPreferencesAside) {
+  session_.reset();
+  std::ofstream(preferences_file()) << "\x01\x02";
+  session_ = std::make_unique<Session>(places());
+  EXPECT_THAT(session_->notices(), SizeIs(1));
+  EXPECT_TRUE(fs::exists(preferences_file().string() + ".damaged"));
+  EXPECT_EQ(session_->view(), default_view_state());
+}
+
+TEST_F(SessionKeepingTest, RefusesTheSessionOfANewerVersion) {
+  session_.reset();
+  std::ofstream(session_file()) << "version = 99\n";
+  session_ = std::make_unique<Session>(places());
+  session_->restore();
+  EXPECT_THAT(notice_texts(), ElementsAre(HasSubstr("newer version of Nadir")));
+}
+
+TEST_F(SessionKeepingTest, LeavesOutWhatIsNotThereAnyMore) {
+  open_run();
+  const fs::path second = copy_run("second.nadir");
+  act("open " + second.string());
+  settle();
+  session_.reset();
+  fs::remove(second);
+  restart();
+  EXPECT_THAT(notice_texts(), ElementsAre(second.string() + ": is not there any more"));
+  ASSERT_THAT(session_->runs(), SizeIs(1));
+  EXPECT_EQ(session_->view().active_run, 1);
+}
+
+TEST_F(SessionKeepingTest, WorksWithoutAFolderAndSaysSoOnceWhereItCannotBeWritten) {
+  SessionPlaces nowhere = places();
+  nowhere.config = scratch_.file("a-file", "x") / "config";
+  session_ = std::make_unique<Session>(nowhere);
+  act("theme light");
+  session_->poll(1.5);
+  poll_until(*session_, [&] { return !session_->notices().empty(); });
+  act("theme dark");
+  for (int i = 0; i < 5; ++i) session_->poll(1.5);
+  EXPECT_THAT(notice_texts(), ElementsAre(HasSubstr("cannot be kept for the next start")));
+  nowhere.config.clear();
+  session_ = std::make_unique<Session>(nowhere);
+  session_->restore();
+  act("theme light");
+  session_->poll(5.0);
+  EXPECT_THAT(session_->notices(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace nadir
