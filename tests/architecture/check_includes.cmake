@@ -51,8 +51,11 @@ endfunction()
 
 forbid(core "vtk[A-Z]|imgui|GLFW/|GL/|CLI/|widgets/|app/|tests/")
 forbid(widgets "CLI/|app/|tests/")
-foreach(folder canvas views figures)  # windows and contexts are made in widgets/gl alone
+foreach(folder canvas views kit figures)  # windows and contexts are made in widgets/gl alone
   forbid(widgets/${folder} "GLFW/|EGL/")
+endforeach()
+foreach(folder app widgets/canvas widgets/gl widgets/views widgets/figures widgets/panels)  # widgets/kit is the only door to Dear ImGui
+  forbid(${folder} "imgui|backends/imgui")
 endforeach()
 forbid(app "tests/")
 forbid(maps "app/|tests/|core/(topview|mcl|flight|sim|eval|run|session)/")

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/gl/desktop_window.h"
 
+#include <vtk_glew.h>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <cstdlib>
+#include <utility>
 
 #include "core/base/log.h"
 #include "core/base/require.h"
@@ -85,20 +88,40 @@ Result<std::unique_ptr<DesktopWindow>> DesktopWindow::create(const std::string& 
   }
   std::unique_ptr<DesktopWindow> made(new DesktopWindow(std::move(*library), window));
   made->make_current();
+  glewInit();  // loads the entry points; where there is no GLX it complains afterwards
   glfwSwapInterval(1);
   return made;
 }
 
 DesktopWindow::DesktopWindow(std::shared_ptr<Library> library, GLFWwindow* window)
-    : library_(std::move(library)), window_(window) {}
+    : library_(std::move(library)), window_(window) {
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetDropCallback(window_, [](GLFWwindow* target, int count, const char** paths) {
+    auto& self = *static_cast<DesktopWindow*>(glfwGetWindowUserPointer(target));
+    self.dropped_.insert(self.dropped_.end(), paths, paths + count);
+  });
+}
 
 DesktopWindow::~DesktopWindow() { glfwDestroyWindow(window_); }
 
 GLFWwindow* DesktopWindow::handle() const { return window_; }
 void DesktopWindow::make_current() { glfwMakeContextCurrent(window_); }
+void DesktopWindow::clear(Rgba ground) {
+  constexpr float kFull = 255.0F;
+  const Eigen::Vector2i size = framebuffer_size();
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, size.x(), size.y());
+  glDisable(GL_SCISSOR_TEST);
+  glClearColor(static_cast<float>(ground.red) / kFull, static_cast<float>(ground.green) / kFull,
+               static_cast<float>(ground.blue) / kFull, 1.0F);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
 void DesktopWindow::swap() { glfwSwapBuffers(window_); }
 void DesktopWindow::poll_events() { glfwPollEvents(); }
 void DesktopWindow::wait_events(double at_most_s) { glfwWaitEventsTimeout(at_most_s); }
+void DesktopWindow::set_title(const std::string& title) {
+  glfwSetWindowTitle(window_, title.c_str());
+}
 bool DesktopWindow::should_close() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
 
 void DesktopWindow::set_should_close(bool should_close) {
@@ -109,6 +132,10 @@ Eigen::Vector2i DesktopWindow::framebuffer_size() const {
   Eigen::Vector2i size = Eigen::Vector2i::Zero();
   glfwGetFramebufferSize(window_, &size.x(), &size.y());
   return size;
+}
+
+std::vector<std::filesystem::path> DesktopWindow::take_dropped_files() {
+  return std::exchange(dropped_, {});
 }
 
 double DesktopWindow::content_scale() const {

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
+#include "widgets/canvas/canvas.h"
 
 struct GLFWwindow;
 
@@ -32,6 +35,8 @@ class DesktopWindow {
   [[nodiscard]] GLFWwindow* handle() const;
 
   void make_current();
+  /// Begins a frame in the window's own frame buffer, over a ground of one colour.
+  void clear(Rgba ground);
   /// Shows what was drawn into frame buffer 0.
   void swap();
   /// Takes the input that has come, or waits for some, at most so many seconds; a window that redraws only on change
@@ -39,18 +44,24 @@ class DesktopWindow {
   static void poll_events();
   static void wait_events(double at_most_s);
 
+  /// UTF-8.
+  void set_title(const std::string& title);
+
   [[nodiscard]] bool should_close() const;
   void set_should_close(bool should_close);
   /// Pixels of frame buffer 0: width, height. 0 while the window is minimised.
   [[nodiscard]] Eigen::Vector2i framebuffer_size() const;
   /// Size of text and widgets that this screen asks for: 1 is 96 dpi, 2 a screen of twice as many pixels.
   [[nodiscard]] double content_scale() const;
+  /// Files that were dropped on the window since the last call, in their order.
+  [[nodiscard]] std::vector<std::filesystem::path> take_dropped_files();
 
  private:
   class Library;
   DesktopWindow(std::shared_ptr<Library> library, GLFWwindow* window);
   std::shared_ptr<Library> library_;  ///< Before the window, which needs it to the end.
   GLFWwindow* window_;
+  std::vector<std::filesystem::path> dropped_;
 };
 
 }  // namespace nadir

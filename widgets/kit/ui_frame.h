@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "widgets/kit/ui.h"
+#include "widgets/kit/ui_context.h"
+#include "widgets/kit/ui_fonts.h"
+#include "widgets/kit/ui_look.h"
+#include "widgets/kit/ui_pictures.h"
+
+/// What kit's own sources share: the only header of kit that knows Dear ImGui. Included by no panel.
+namespace nadir::kit {
+
+class UiCanvas;
+
+[[nodiscard]] inline float narrow(double value) { return static_cast<float>(value); }
+[[nodiscard]] inline ImVec2 im(const Eigen::Vector2d& point) {
+  return {narrow(point.x()), narrow(point.y())};
+}
+[[nodiscard]] inline Rect rect_of(const ImRect& box) {
+  return {box.Min.x, box.Min.y, box.GetWidth(), box.GetHeight()};
+}
+[[nodiscard]] inline ImRect box_of(const Rect& rect) {
+  return {narrow(rect.left), narrow(rect.top), narrow(rect.right()), narrow(rect.bottom())};
+}
+
+/// What the user is changing now: at most one thing.
+struct Draft {
+  ImGuiID id = 0;
+  double number = 0.0, start_number = 0.0;
+  std::string text, start_text;
+  Rgba colour, start_colour;
+  bool is_typing = false;  ///< A number's field takes text.
+  bool is_text = false;    ///< What is typed is text, not a number.
+  bool had_keyboard = false;
+  bool was_dragged = false;
+  int last_frame = 0;  ///< That drew it: one that is not drawn any more is forgotten.
+};
+
+/// A press of a mouse button in an area.
+struct AreaPress {
+  ImGuiID id = 0;
+  MouseButton button = MouseButton::kLeft;
+  ImVec2 start;
+  bool is_drag = false;
+  bool is_second = false;  ///< Of a double click.
+};
+
+/// A tooltip that the mouse asks for in this frame.
+struct TooltipWish {
+  std::string path;
+  Hint hint;
+  std::string because;             ///< Why the control is disabled.
+  std::vector<std::string> lines;  ///< Of mouse_tooltip(), shown at once.
+};
+
+struct UiContext::State {
+  ImGuiContext* imgui = nullptr;
+  ThemeName theme = ThemeName::kDark;
+  double scale = 1.0;
+  bool is_look_new = true;
+  bool is_motion_reduced = false;
+  bool is_in_frame = false;
+  std::shared_ptr<FontSet> fonts;
+  Look look;
+  UiPictures pictures;
+  FrameInput input;
+  std::vector<Control> controls;  ///< Of the last finished frame.
+  std::string scroll_to;
+  std::string tooltip;  ///< Showing in the last frame, in one line.
+  std::string hover_path;
+  double hovered_s = 0.0;
+  double next_frame_within_s = 0.0;
+  Draft draft;
+  Draft
+      abandoned;  ///< Was being typed when another control was pressed; its own control commits it.
+  AreaPress area_press;
+  ImGuiID hovered_area = 0;
+  ImGuiID open_bar = 0;        ///< Window whose menus follow the mouse.
+  ImGuiID focused_number = 0;  ///< Arrow keys step it.
+  std::map<ImGuiID, int>
+      last_drawn;  ///< Frame in which a text input that takes the focus was drawn.
+  std::string clipboard;
+  std::unique_ptr<Ui> ui;
+};
+
+/// Where a control lies: the whole of it in `box`; `label` beside or above `field`.
+struct Placed {
+  ImGuiID id = 0;
+  ImRect box, label, field;
+  bool is_visible = false;
+};
+
+struct Pressed {
+  bool was_clicked = false, is_hovered = false, is_held = false;
+};
+
+/// One frame's drawing; all members are kit's own.
+struct Ui::Frame {
+  explicit Frame(UiContext& the_context) : context(the_context), state(the_context.state()) {}
+  ~Frame();
+
+  UiContext& context;
+  UiContext::State& state;
+  std::vector<Control> controls;
+  std::string prefix;  ///< Of paths: "Layers/particles/".
+  std::vector<std::string> disabled_reasons;
+  std::vector<double> label_widths;
+  std::optional<TooltipWish> tooltip;
+  float next_width = 0.0F;
+  bool is_same_line = false;  ///< What is placed next follows on the current line.
+  float line_height = 0.0F;   ///< Of what lies on the current line.
+
+  ImGuiID last_id = 0;
+  bool is_last_hovered = false;
+  ImRect last_box;
+
+  /// Texts at the beginning of the line, which move down where something higher follows on it.
+  struct LineText {
+    ImDrawList* list = nullptr;
+    int first_vertex = 0, end_vertex = 0;
+    std::size_t control = 0;
+    float top = 0.0F, height = 0.0F;
+  };
+  std::vector<LineText> line_texts;
+
+  struct OpenTable {
+    std::vector<Column> columns;
+    int column = -1;       ///< Drawn last in this row.
+    std::string row_path;  ///< Of the row whose cells are drawn.
+    std::size_t prefix_length = 0, table_prefix_length = 0;
+    ImRect row_box;
+  };
+  std::vector<OpenTable> tables;
+  std::optional<Sorting> sorting;
+
+  bool is_in_menu_bar = false, has_bar_menu = false;
+  int menu_depth = 0;
+
+  Rect area;
+  ImDrawList* area_list = nullptr;
+  std::unique_ptr<UiCanvas> canvas;
+
+  [[nodiscard]] float d(double design) const {
+    return narrow(std::max(1.0, std::floor(design * state.scale + 0.5)));
+  }
+  [[nodiscard]] ImFont* font(TextLook look) const;
+  [[nodiscard]] ImU32 colour(TextLook look) const;
+  [[nodiscard]] bool is_disabled() const { return !disabled_reasons.empty(); }
+  /// A colour of the look, paler within disabled().
+  [[nodiscard]] ImU32 shade(ImU32 colour) const;
+
+  /// What stands before "##".
+  [[nodiscard]] static std::string shown(const std::string& label);
+  /// Width of all that is left on this line.
+  [[nodiscard]] float room_width() const;
+  [[nodiscard]] ImVec2 text_size(const std::string& line, ImFont* font) const;
+
+  /// Takes room at the current place.
+  /// @param gap  Below it, where it begins a line.
+  Placed place(const std::string& label, const ImVec2& size, float gap, bool is_text = false);
+  /// Takes a row of the room's width (or the next width), with its label at the left or above.
+  Placed place_labelled(const std::string& label, float height);
+  /// Makes another box of this control its field: the part that takes the mouse.
+  bool add_part(const ImRect& box, ImGuiID id);
+  Pressed press(const Placed& placed, ImGuiButtonFlags flags = 0);
+  Pressed press(const ImRect& box, ImGuiID id, ImGuiButtonFlags flags = 0);
+  void draw_label(const Placed& placed, const std::string& label, bool is_marked = false);
+
+  /// Writes a control down; the returned one may be completed until the next.
+  Control& note(ControlKind kind, const std::string& label, const ImRect& box);
+  /// Tooltip of the control noted last; also why it is disabled.
+  void explain(const Hint& hint);
+  void wish_tooltip(const Control& control, const Hint& hint);
+  void show_tooltip();
+
+  void write(const ImVec2& at, const std::string& line, ImFont* font, ImU32 colour) const;
+  /// Vertically in the middle of the box; cut with "…" where it is wider. @returns whether all of it was drawn.
+  bool write_in(const ImRect& box,
+                const std::string& line,
+                ImFont* font,
+                ImU32 colour,
+                Align align = Align::kLeft) const;
+  void write_icon(const ImRect& box, Icon icon, ImU32 colour) const;
+  void fill(const ImRect& box, ImU32 colour, double radius = 4.0) const;
+  void frame(const ImRect& box, ImU32 colour, double radius = 4.0) const;
+
+  [[nodiscard]] Draft* draft(ImGuiID id);
+  Draft& begin_draft(ImGuiID id);
+  void end_draft();
+
+  [[nodiscard]] std::optional<Draft> take_abandoned(ImGuiID id);
+  /// Dear ImGui's input for the draft of this control, which takes the keyboard at first. @returns whether it has it still.
+  bool type_draft(
+      const ImRect& box, ImGuiID id, const std::string& label, ImFont* the_font, int flags);
+  TextEdit edit_text(const ImRect& box,
+                     ImGuiID id,
+                     const std::string& label,
+                     const std::string& text,
+                     const TextOptions& options);
+  TextEdit edit_lines(const ImRect& box, const std::string& label, const std::string& text);
+
+  Edit<double> finish_number(ImGuiID id, double value, Edit<double> edit, bool is_done);
+  [[nodiscard]] bool reset_clicked(const Placed& placed) const;
+  [[nodiscard]] bool is_label_hovered(const Placed& placed) const;
+  Edit<double> drag_track(const ImRect& box,
+                          ImGuiID id,
+                          double value,
+                          const NumberOptions& options);
+  Edit<double> edit_number(const ImRect& box,
+                           ImGuiID id,
+                           const std::string& label,
+                           double value,
+                           const NumberOptions& options);
+  Edit<double> type_number(const ImRect& box,
+                           ImGuiID id,
+                           const std::string& label,
+                           double value,
+                           const NumberOptions& options);
+
+  RowInput press_row(const ImRect& box, ImGuiID id, bool is_selected);
+  [[nodiscard]] bool right_clicked() const;
+  void draw_table_header(bool is_sortable);
+  void end_row();
+  ImRect next_cell();
+  void text_cell(const std::string& words, ImFont* the_font, ImU32 the_colour, bool is_number);
+  Scope open_popup(ImGuiID id, const std::string& name);
+  std::optional<NoticeWish::Kind> draw_notice(Ui& ui,
+                                              const Notice& notice,
+                                              Icon icon,
+                                              ImU32 the_colour);
+
+  Edit<Rgba> draw_picker(Ui& ui, Rgba the_colour);
+  void follow_press(const ImRect& box, ImGuiID id, AreaInput& input);
+
+  Scope push_scope(const std::string& name, bool with_imgui_id);
+  Edit<double> drag_splitter(const std::string& name,
+                             const ImRect& box,
+                             Axis axis,
+                             double size,
+                             double least,
+                             double most,
+                             bool grows_backwards);
+  void shift_line_texts(float height);
+  Placed place_text(const std::string& line, ImFont* the_font, float most_width);
+  void keep_line_text(const Placed& placed, int first_vertex);
+};
+
+}  // namespace nadir::kit
