@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/panels/layers_panel.h"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "tests/widgets/panels/timeline_run.h"
+#include "widgets/kit/headless_ui.h"
+
+namespace nadir {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// The layers of a new window, from the top, all with data.
+LayersModel layers_of_new_window() {
+  LayersModel model;
+  const MapLook look = default_map_look();
+  for (auto layer = look.order.rbegin(); layer != look.order.rend(); ++layer) {
+    model.rows.push_back({*layer, look.layer(*layer), ""});
+  }
+  model.classes = {{kRoad, 0.62}, {kTerrain, 0.3}, {kBuilding, 0.08}};
+  return model;
+}
+
+struct ShownLayers {
+  explicit ShownLayers(LayersModel shown)
+      : model(std::move(shown)), screen(ThemeName::kDark, 1.0, {280.0, 760.0}) {
+    asked = screen.wait(3, draw());
+  }
+  [[nodiscard]] std::function<Actions(kit::Ui&)> draw() {
+    return [this](kit::Ui& ui) { return draw_layers(ui, model, state); };
+  }
+  LayersModel model;
+  LayersState state;
+  kit::HeadlessUi screen;
+  Actions asked;
+};
+
+TEST(LayersPanel, ListsEveryLayerFromTheTopAndAsksForNothing) {
+  ShownLayers shown(layers_of_new_window());
+  EXPECT_THAT(shown.asked, IsEmpty());
+  std::set<std::string_view> titles;
+  for (const LayersModel::Row& row : shown.model.rows) {
+    EXPECT_TRUE(shown.screen.has("Layers/" + std::string(enum_name(row.layer)) + "/visible"))
+        << shown.screen.words();
+    titles.insert(layer_title(row.layer));
+  }
+  EXPECT_EQ(titles.size(), kLayerCount);
+}
+
+TEST(LayersPanel, AnEyeHidesAndShows) {
+  ShownLayers shown(layers_of_new_window());
+  for (LayersModel::Row& row : shown.model.rows) row.look.is_visible = row.layer != Layer::kTruth;
+  EXPECT_THAT(shown.screen.click("Layers/particles/visible", shown.draw()),
+              ElementsAre(Action(actions::ShowLayer{Layer::kParticles, Switch::kOff})));
+  EXPECT_THAT(shown.screen.click("Layers/truth/visible", shown.draw()),
+              ElementsAre(Action(actions::ShowLayer{Layer::kTruth, Switch::kOn})));
+}
+
+TEST(LayersPanel, ASliderSetsOpacity) {
+  ShownLayers shown(layers_of_new_window());
+  const auto asked = all_of<actions::SetLayerOpacity>(
+      shown.screen.drag("Layers/topview/opacity", -300.0, 0.0, shown.draw()));
+  ASSERT_FALSE(asked.empty());
+  EXPECT_EQ(asked.back(), (actions::SetLayerOpacity{Layer::kTopview, 0.0}));
+}
+
+TEST(LayersPanel, OnlyLinesHaveAColour) {
+  ShownLayers shown(layers_of_new_window());
+  EXPECT_TRUE(shown.screen.has("Layers/estimate/##colour"));
+  EXPECT_TRUE(shown.screen.has("Layers/truth/##colour"));
+  EXPECT_FALSE(shown.screen.has("Layers/particles/##colour"));
+  EXPECT_FALSE(shown.screen.has("Layers/picture/##colour"));
+}
+
+TEST(LayersPanel, AColourGoesBackToTheThemes) {
+  LayersModel model = layers_of_new_window();
+  for (LayersModel::Row& row : model.rows) {
+    if (row.layer == Layer::kEstimate) row.look.colour = "#FF0000";
+  }
+  ShownLayers shown(model);
+  shown.screen.right_click("Layers/estimate/##colour", shown.draw());
+  EXPECT_THAT(shown.screen.click("Layers/estimate/colour menu/As the theme has it", shown.draw()),
+              ElementsAre(Action(actions::SetLayerColour{Layer::kEstimate, std::nullopt})));
+}
+
+TEST(LayersPanel, AGripRaisesALayer) {
+  ShownLayers shown(layers_of_new_window());
+  const Layer third = shown.model.rows[2].layer;
+  const std::string grip = "Layers/" + std::string(enum_name(third)) + "/grip";
+  const double row_height =
+      shown.screen.at("Layers/" + std::string(enum_name(shown.model.rows[3].layer)) + "/grip")
+          .rect.top -
+      shown.screen.at(grip).rect.top;
+  const auto asked =
+      all_of<actions::MoveLayer>(shown.screen.drag(grip, 0.0, -2.0 * row_height, shown.draw()));
+  EXPECT_THAT(asked, ElementsAre(actions::MoveLayer{third, 2}));
+}
+
+TEST(LayersPanel, SaysWhyALayerIsEmptyInPlaceOfItsSlider) {
+  LayersModel model = layers_of_new_window();
+  for (LayersModel::Row& row : model.rows) {
+    if (row.layer == Layer::kParticles) row.why_empty = "not recorded";
+  }
+  ShownLayers shown(model);
+  EXPECT_TRUE(shown.screen.shows("not recorded"));
+  EXPECT_FALSE(shown.screen.has("Layers/particles/opacity"));
+  EXPECT_TRUE(shown.screen.has("Layers/particles/visible")) << "it can still be hidden";
+}
+
+TEST(LayersPanel, LaysTheTopviewAtAnotherPose) {
+  ShownLayers shown(layers_of_new_window());
+  EXPECT_THAT(shown.screen.click("Layers/topview at/truth", shown.draw()),
+              ElementsAre(Action(actions::LayTopview{PoseSource::kTruth})));
+}
+
+TEST(LayersPanel, TellsClassesWithTheirShares) {
+  ShownLayers shown(layers_of_new_window());
+  EXPECT_EQ(shown.screen.at("Layers/Classes/shares/road/share").value, "62 %");
+  EXPECT_EQ(shown.screen.at("Layers/Classes/shares/building/share").value, "8.0 %");
+  shown.model.classes.clear();
+  shown.screen.wait(2, shown.draw());
+  EXPECT_TRUE(shown.screen.shows("No map is open"));
+}
+
+TEST(LayersPanel, TakesAColourThatIsNoneForTheThemes) {
+  LayersModel model = layers_of_new_window();
+  for (LayersModel::Row& row : model.rows) row.look.colour = "#GG00ZZ";
+  EXPECT_THAT(ShownLayers(model).asked, IsEmpty());
+}
+
+}  // namespace
+}  // namespace nadir

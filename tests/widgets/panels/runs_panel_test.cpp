@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/panels/runs_panel.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/widgets/panels/timeline_run.h"
+#include "widgets/kit/headless_ui.h"
+
+namespace nadir {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+RunsModel::Row row_of(int number,
+                      const std::string& name,
+                      std::shared_ptr<const RunDocument> document) {
+  RunsModel::Row row;
+  row.number = number;
+  row.name = name;
+  row.path = "/runs/" + name + ".nadir";
+  row.colour = number - 1;
+  row.is_active = number == 1;
+  row.document = std::move(document);
+  return row;
+}
+
+/// Errors of 0.5 m against 0.2 m up to 10 s, and from then on 8 m; made with another seed.
+RunsModel two_runs() {
+  RunDocument other =
+      made_run(200, [](RunStep& step) { set_error_m(step, step.step < 100 ? 0.2 : 8.0); });
+  other.header.seed = 2;
+  RunsModel model;
+  model.rows = {
+      row_of(1, "calm", made_document(200, [](RunStep& step) { set_error_m(step, 0.5); })),
+      row_of(2, "wild", RunDocument::from_steps(other))};
+  return model;
+}
+
+struct ShownRuns {
+  explicit ShownRuns(RunsModel shown)
+      : model(std::move(shown)), screen(ThemeName::kDark, 1.0, {340.0, 800.0}) {
+    asked = screen.wait(3, draw());
+  }
+  [[nodiscard]] std::function<Actions(kit::Ui&)> draw() {
+    return [this](kit::Ui& ui) { return draw_runs(ui, model, state); };
+  }
+  Actions click_row(const std::string& path) { return screen.click_at(path, 20.0, 14.0, draw()); }
+  [[nodiscard]] std::string cell(const std::string& metric, const std::string& run) const {
+    return screen.at("Runs/Errors/metrics/" + metric + "/" + run).value;
+  }
+
+  RunsModel model;
+  RunsState state;
+  kit::HeadlessUi screen;
+  Actions asked;
+};
+
+TEST(RunsPanel, ARowMakesItsRunActive) {
+  ShownRuns shown(two_runs());
+  EXPECT_THAT(shown.asked, IsEmpty());
+  EXPECT_THAT(shown.click_row("Runs/2/##activate"), ElementsAre(Action(actions::ActivateRun{2})));
+  EXPECT_THAT(shown.click_row("Runs/1/##activate"), IsEmpty()) << "it is already";
+  EXPECT_TRUE(shown.screen.at("Runs/1/##activate").is_selected);
+}
+
+TEST(RunsPanel, HidesAndClosesARun) {
+  ShownRuns shown(two_runs());
+  EXPECT_THAT(shown.screen.click("Runs/2/shown", shown.draw()),
+              ElementsAre(Action(actions::ShowRun{2, Switch::kOff})));
+  EXPECT_FALSE(shown.screen.at("Runs/1/shown").is_enabled) << "the active run always shows";
+  EXPECT_THAT(shown.screen.click("Runs/2/Close", shown.draw()),
+              ElementsAre(Action(actions::CloseRun{2})));
+}
+
+TEST(RunsPanel, ComparesRunsAndMarksTheBetter) {
+  ShownRuns shown(two_runs());
+  EXPECT_THAT(shown.cell("median", "calm"), HasSubstr("0.50"));
+  EXPECT_THAT(shown.cell("largest", "wild"), HasSubstr("8.00"));
+  const std::string check = std::string("• ");
+  EXPECT_THAT(shown.cell("RMSE", "calm"), HasSubstr(check));
+  EXPECT_THAT(shown.cell("RMSE", "wild"), ::testing::Not(HasSubstr(check)));
+  EXPECT_THAT(shown.cell("within 1 m", "calm"), HasSubstr("100.0"));
+  EXPECT_THAT(shown.cell("within 1 m", "wild"), HasSubstr("50.0"));
+  EXPECT_THAT(shown.cell("NEES", "calm"), HasSubstr(check)) << "1 is nearer to 3 than 128";
+}
+
+TEST(RunsPanel, OfOneRunMarksNothing) {
+  RunsModel model = two_runs();
+  model.rows.pop_back();
+  ShownRuns shown(model);
+  EXPECT_THAT(shown.cell("RMSE", "calm"), HasSubstr("0.50"));
+  EXPECT_FALSE(shown.screen.shows(std::string("• ")));
+  EXPECT_FALSE(shown.screen.at("Runs/Split view").is_enabled);
+  EXPECT_FALSE(shown.screen.has("Runs/Parting"));
+  EXPECT_FALSE(shown.screen.has("Runs/1/shown"));
+}
+
+TEST(RunsPanel, OfRunsWithoutTruthHasDashes) {
+  RunsModel model;
+  model.rows = {
+      row_of(1, "blind", made_document(50, [](RunStep& step) { step.truth_in_enu.reset(); }))};
+  EXPECT_EQ(ShownRuns(model).cell("RMSE", "blind"), "–");
+}
+
+TEST(RunsPanel, TellsSettingsThatDiffer) {
+  ShownRuns shown(two_runs());
+  EXPECT_EQ(shown.screen.at("Runs/Settings that differ/settings/seed/calm").value, "1");
+  EXPECT_EQ(shown.screen.at("Runs/Settings that differ/settings/seed/wild").value, "2");
+  EXPECT_FALSE(shown.screen.has("Runs/Settings that differ/settings/preset"));
+}
+
+TEST(RunsPanel, JumpsToWhereRunsPart) {
+  ShownRuns shown(two_runs());
+  EXPECT_TRUE(shown.screen.shows("00:10.0")) << shown.screen.words();
+  EXPECT_THAT(shown.click_row("Runs/Parting/2/##go"),
+              ElementsAre(Action(actions::GoToDivergence{2})));
+  RunsModel alike = two_runs();
+  alike.rows[1].document = alike.rows[0].document;
+  EXPECT_TRUE(ShownRuns(alike).screen.shows("never leaves"));
+}
+
+TEST(RunsPanel, SplitsTheView) {
+  ShownRuns shown(two_runs());
+  EXPECT_THAT(shown.screen.click("Runs/Split view", shown.draw()),
+              ElementsAre(Action(actions::SplitView{Switch::kOn})));
+  shown.model.is_split = true;
+  EXPECT_THAT(shown.screen.click("Runs/Split view", shown.draw()),
+              ElementsAre(Action(actions::SplitView{Switch::kOff})));
+}
+
+TEST(RunsPanel, WatchesALiveRunAndCancelsIt) {
+  RunsModel model = two_runs();
+  model.rows[1].is_live = true;
+  model.rows[1].progress = 0.43;
+  model.rows[1].progress_words = "12 s left";
+  model.rows[1].job = 7;
+  ShownRuns shown(model);
+  EXPECT_THAT(shown.screen.at("Runs/2/localising").value, HasSubstr("43 %"));
+  EXPECT_THAT(shown.screen.click("Runs/2/localising/Cancel", shown.draw()),
+              ElementsAre(Action(actions::CancelJob{7})));
+}
+
+TEST(RunsPanel, ComparesAgainOnlyWhenARunHasChanged) {
+  ShownRuns shown(two_runs());
+  const MetricRow* const kept = shown.state.comparison.metrics.data();
+  shown.screen.wait(3, shown.draw());
+  EXPECT_EQ(shown.state.comparison.metrics.data(), kept);
+  shown.model.rows[1].document = made_document(210);
+  shown.screen.wait(2, shown.draw());
+  EXPECT_THAT(shown.cell("largest", "wild"), HasSubstr("0.10"));
+}
+
+TEST(RunsPanel, PutsTheActiveRunFirst) {
+  RunsModel model = two_runs();
+  model.rows[0].is_active = false;
+  model.rows[1].is_active = true;
+  ShownRuns shown(model);
+  EXPECT_THAT(shown.state.numbers, ElementsAre(2, 1));
+  EXPECT_THAT(shown.cell("largest", "wild"), HasSubstr("8.00"));
+}
+
+TEST(RunsPanel, ARunThatIsBeingReadIsNamedAndNotCompared) {
+  RunsModel model = two_runs();
+  model.rows[1].document.reset();
+  ShownRuns shown(model);
+  EXPECT_TRUE(shown.screen.shows("wild"));
+  EXPECT_THAT(shown.state.numbers, ElementsAre(1));
+}
+
+TEST(RunsPanel, WithoutRunsOffersTheDemo) {
+  ShownRuns shown(RunsModel{});
+  EXPECT_THAT(shown.screen.click("Runs/Open the demo", shown.draw()),
+              ElementsAre(Action(actions::OpenDemo{})));
+}
+
+}  // namespace
+}  // namespace nadir

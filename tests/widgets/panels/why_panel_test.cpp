@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/panels/why_panel.h"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <set>
+#include <thread>
+
+#include "tests/support/error_text.h"
+#include "tests/widgets/panels/made_moment.h"
+#include "widgets/kit/headless_ui.h"
+#include "widgets/panels/surface_picture.h"
+
+namespace nadir {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+MomentQuestion question_of(const MadeMoment& made) {
+  MomentQuestion question;
+  question.step = made.step;
+  question.map = made.map;
+  question.options_key = "defaults";
+  return question;
+}
+
+std::shared_ptr<const MomentAnswer> answer_of(const MomentQuestion& question) {
+  const auto matcher = MapMatcher::create(question.map, question.options.localiser);
+  EXPECT_TRUE(matcher) << error_text(matcher);
+  return std::make_shared<const MomentAnswer>(answer_moment(question, *matcher));
+}
+
+WhyModel model_of(const std::shared_ptr<const MomentAnswer>& answer) {
+  WhyModel model;
+  model.run_name = "loop";
+  model.has_map = true;
+  model.has_step = true;
+  model.answer = answer;
+  model.is_answer_of_now = true;
+  return model;
+}
+
+class WhyPanelTest : public ::testing::Test {
+ protected:
+  auto drawing() {
+    return [this](kit::Ui& ui) { return draw_why_panel(ui, model, state); };
+  }
+  MadeMoment made;
+  WhyModel model = model_of(answer_of(question_of(made)));
+  WhyState state;
+  kit::HeadlessUi screen{ThemeName::kDark, 1.0, {400.0, 1400.0}};
+};
+
+TEST_F(WhyPanelTest, SaysThatTheTruthWouldHaveFittedBetter) {
+  // What was seen is what the map has at the truth, so nothing fits better.
+  ASSERT_EQ(model.answer->explanation->verdict, MomentVerdict::kTruthFitsBetter);
+  screen.wait(2, drawing());
+  EXPECT_TRUE(screen.shows("Missed: the truth fits better"));
+  EXPECT_TRUE(screen.shows(model.answer->words)) << screen.words();
+  EXPECT_EQ(screen.at("Why/Costs/truth/mean cost").value, "0.0000");
+  EXPECT_EQ(screen.at("Why/Costs/truth/fits").value, "100 %");
+}
+
+TEST_F(WhyPanelTest, EveryVerdictHasWordsOfItsOwn) {
+  std::set<std::string> words;
+  for (const auto verdict : {MomentVerdict::kNoEvidence, MomentVerdict::kNoTruth,
+                             MomentVerdict::kFound, MomentVerdict::kTruthFitsBetter,
+                             MomentVerdict::kMapMisleads, MomentVerdict::kBothFitAlike}) {
+    words.insert(verdict_head(verdict).words);
+  }
+  EXPECT_EQ(words.size(), 6U);
+  EXPECT_FALSE(words.contains(""));
+}
+
+TEST_F(WhyPanelTest, ShowsTheSurfaceWithItsCosts) {
+  screen.wait(2, drawing());
+  ASSERT_TRUE(model.answer->surface);
+  EXPECT_TRUE(screen.has("Why/Error surface/Surface"));
+  EXPECT_TRUE(screen.has("Why/Error surface/Turn"));
+  EXPECT_EQ(screen.at("Why/Error surface/cost at the truth").value, "0.0000");
+  const auto first = state.surface.pixels;
+  screen.wait(1, drawing());
+  EXPECT_EQ(state.surface.pixels, first);  // made once
+  screen.click("Why/Error surface/##Cut/Best heading", drawing());
+  screen.wait(1, drawing());
+  EXPECT_TRUE(state.shows_best_turn);
+  EXPECT_NE(state.surface.pixels, first);
+}
+
+TEST_F(WhyPanelTest, AClickOnTheSurfaceShowsThatPlaceOnTheMap) {
+  screen.wait(2, drawing());
+  const kit::Rect area = screen.at("Why/Error surface/Surface").rect;
+  const ErrorSurfaceGrid& grid = model.answer->surface->volume.grid;
+  const Actions asked = screen.click_at("Why/Error surface/Surface",
+                                        area.width / 2.0 + 10.0 * area.width / grid.count_x,
+                                        area.height / 2.0, drawing());
+  ASSERT_EQ(asked.size(), 1U);
+  const auto& look = std::get<actions::LookAt>(asked[0]);
+  const Rigid2& estimate = made.step->estimate.moments.mean;
+  EXPECT_NEAR(look.east_m, estimate.x_m + 10.0 * grid.step_m, 1e-6);
+  EXPECT_NEAR(look.north_m, estimate.y_m, 1e-6);
+}
+
+TEST_F(WhyPanelTest, EachModeCanBeLookedAt) {
+  RunStep step = *made.step;
+  PoseMode near{0.7, step.estimate.moments};
+  PoseMode far = near;
+  far.mass = 0.3;
+  far.moments.mean.x_m += 6.0;
+  step.estimate.modes = {near, far};
+  MomentQuestion question = question_of(made);
+  question.step = std::make_shared<const RunStep>(step);
+  question.with_surface = false;
+  model = model_of(answer_of(question));
+  screen.wait(2, drawing());
+  EXPECT_EQ(screen.at("Why/Modes/Modes/1/mass").value, "70 %");
+  EXPECT_EQ(screen.at("Why/Modes/Modes/1/from truth").value, "3.00");
+  const Actions asked = screen.click("Why/Modes/Modes/2/Look", drawing());
+  ASSERT_EQ(asked.size(), 1U);
+  EXPECT_DOUBLE_EQ(std::get<actions::LookAt>(asked[0]).east_m, far.moments.mean.x_m);
+}
+
+TEST_F(WhyPanelTest, SaysWhatItWaitsForAndWhatIsMissing) {
+  model.answer = nullptr;
+  model.is_computing = true;
+  screen.wait(2, drawing());
+  EXPECT_TRUE(screen.shows("Computing"));
+  model.has_map = false;
+  screen.wait(2, drawing());
+  EXPECT_TRUE(screen.shows("No map is open"));
+  model = {};
+  EXPECT_THAT(screen.click("Why/Open the demo", drawing()),
+              ElementsAre(Action(actions::OpenDemo{})));
+}
+
+TEST_F(WhyPanelTest, WhileARunPlaysItSaysToPauseForTheSurface) {
+  MomentQuestion question = question_of(made);
+  question.with_surface = false;
+  model = model_of(answer_of(question));
+  model.is_playing = true;
+  screen.wait(2, drawing());
+  EXPECT_TRUE(screen.shows("Pause to see the error surface."));
+}
+
+TEST_F(WhyPanelTest, AStepWithoutTopviewIsExplainedInItsOwnSentence) {
+  RunStep step = *made.step;
+  step.topview.reset();
+  MomentQuestion question = question_of(made);
+  question.step = std::make_shared<const RunStep>(step);
+  model = model_of(answer_of(question));
+  EXPECT_FALSE(model.answer->explanation);
+  screen.wait(2, drawing());
+  EXPECT_TRUE(screen.shows(model.answer->error)) << screen.words();
+}
+
+TEST(MomentInquiry, AnswersAsTheCallerWouldOnItsOwnThread) {
+  const MadeMoment made;
+  const MomentQuestion question = question_of(made);
+  MomentInquiry inquiry;
+  EXPECT_EQ(inquiry.answer(), nullptr);
+  inquiry.ask(question);
+  inquiry.ask(question);
+  while (inquiry.is_working()) std::this_thread::yield();
+  const auto answer = inquiry.answer();
+  ASSERT_TRUE(answer);
+  const auto expected = answer_of(question);
+  EXPECT_EQ(answer->step, made.step);
+  EXPECT_EQ(answer->words, expected->words);
+  ASSERT_TRUE(answer->surface);
+  EXPECT_EQ(answer->surface->plane, expected->surface->plane);
+}
+
+TEST(MomentInquiry, OfManyQuestionsTheLastIsAnswered) {
+  const MadeMoment made;
+  MomentInquiry inquiry;
+  std::shared_ptr<const RunStep> last;
+  for (std::size_t i = 0; i < 12; ++i) {
+    MomentQuestion question = question_of(made);
+    question.step = last = made.decoded(i);
+    inquiry.ask(question);
+  }
+  while (inquiry.is_working()) std::this_thread::yield();
+  EXPECT_EQ(inquiry.answer()->step, last);
+  EXPECT_TRUE(inquiry.answer()->surface);
+}
+
+TEST(MomentInquiry, CanBeLeftWhileItWorks) {
+  const MadeMoment made;
+  const auto inquiry = std::make_unique<MomentInquiry>();
+  inquiry->ask(question_of(made));
+}
+
+TEST(MomentInquiry, TakesTheOptionsThatTheRunWasMadeWith) {
+  RunHeader header;
+  header.options = {{"temperature", "0.5"}, {"particles", "77"}, {"an-option-of-tomorrow", "3"}};
+  const RunOptions options = options_of(header);
+  EXPECT_DOUBLE_EQ(options.localiser.temperature, 0.5);
+  EXPECT_EQ(options.localiser.particle_count, 77);
+  EXPECT_EQ(options.topview.min_votes, RunOptions{}.topview.min_votes);
+}
+
+TEST(SurfacePicture, HasNorthUpAndLightWhereItIsCheap) {
+  MomentSurface surface;
+  surface.volume.grid = {.count_x = 3, .count_y = 3, .count_yaw = 1, .step_m = 1.0};
+  surface.volume.centre_in_enu = {10.0, 20.0, 0.0};
+  surface.plane = {0.9F, 0.9F, 0.9F, 0.9F, 0.5F,
+                   0.9F, 0.9F, 0.9F, 0.1F};  // cheapest in the north-east
+  const Raster<Rgba> picture = surface_picture(surface, surface.plane, nullptr);
+  ASSERT_EQ(picture.width(), 3 * kSurfaceScale);
+  EXPECT_EQ(picture.at(picture.width() - 1, 0), value_colour(ValueColours::kViridis, 1.0));
+  EXPECT_EQ(picture.at(0, picture.height() - 1), value_colour(ValueColours::kViridis, 0.0));
+  const PageRect where{5.0, 7.0, 300.0, 300.0};
+  EXPECT_EQ(surface_point(surface, {2.0, 0.0, 0.0}, where), Eigen::Vector2d(255.0, 57.0));
+  const GridPlace place = surface_place(surface, {255.0, 57.0}, where);
+  EXPECT_NEAR(place.x, 2.0, 1e-9);
+  EXPECT_NEAR(place.y, 0.0, 1e-9);
+}
+
+TEST(SurfacePicture, ParticlesLightenThePixelsTheyFallOn) {
+  const MadeMoment made;
+  const auto answer = answer_of(question_of(made));
+  const Raster<Rgba> bare = surface_picture(*answer->surface, answer->surface->plane, nullptr);
+  const Raster<Rgba> with =
+      surface_picture(*answer->surface, answer->surface->plane, &*made.step->particles);
+  const GridPlace place = answer->surface->place_of(made.step->particles->pose(0));
+  const PageRect page{0.0, 0.0, static_cast<double>(bare.width()),
+                      static_cast<double>(bare.height())};
+  const Eigen::Vector2d at = surface_point(*answer->surface, place, page);
+  const int column = static_cast<int>(at.x());
+  const int row = bare.height() - 1 - static_cast<int>(at.y());
+  EXPECT_GT(with.at(column, row).blue, bare.at(column, row).blue);
+  EXPECT_EQ(with.at(0, 0), bare.at(0, 0));
+}
+
+TEST(CostRange, OfOneCostIsAsGoodAsCanBe) {
+  const std::vector<float> same = {0.3F, 0.3F};
+  EXPECT_EQ(cost_range(same).goodness(0.3F), 1.0);
+  EXPECT_EQ(cost_range({}).goodness(0.0F), 1.0);
+}
+
+}  // namespace
+}  // namespace nadir

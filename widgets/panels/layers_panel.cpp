@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/panels/layers_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace nadir {
+namespace {
+
+// Of the design.
+constexpr double kRowHeight = 28.0;
+constexpr double kNameWidth = 96.0;
+constexpr double kSliderWidth = 64.0, kSwatchWidth = 22.0;
+constexpr double kPercentOfLayer = 100.0;
+
+constexpr std::array<std::string_view, kLayerCount> kTitles = {
+    "Picture",  "Labels", "Reconstruction", "Error surface", "Topview", "Disagreement", "Particles",
+    "Odometry", "Truth",  "Estimate",       "Ellipses",      "Modes",   "Graticule",    "Legend"};
+
+constexpr std::array<std::string_view, kLayerCount> kHelps = {
+    "The overhead picture of the map",
+    "The map's classes, as the localiser sees them",
+    "All topviews up to now, laid at the estimates",
+    "How well each place around the estimate explains what is seen",
+    "What is seen from above at this moment",
+    "Where topview and map say the same, and where not",
+    "What the filter holds possible, coloured by weight",
+    "Where dead reckoning alone would have gone",
+    "Where the vehicle was",
+    "Where the filter believes it was",
+    "One and three sigmas of the estimate's position",
+    "Clusters of the particles with their share",
+    "Lines of latitude and longitude",
+    "What the colours mean"};
+
+/// What the theme gives a layer's lines over a picture.
+Rgba theme_colour(Layer layer, const Theme& theme) {
+  switch (layer) {
+    case Layer::kOdometry:
+      return theme.odometry_on_imagery;
+    case Layer::kTruth:
+      return theme.truth_on_imagery;
+    case Layer::kGraticule:
+      return theme.muted;
+    default:
+      return theme.estimate_on_imagery;
+  }
+}
+
+Rgba layer_colour(const LayersModel::Row& row, const Theme& theme) {
+  const Rgba usual = theme_colour(row.layer, theme);
+  if (!row.look.colour || row.look.colour->size() != 7) return usual;
+  std::uint32_t value = 0;
+  const char* const end = row.look.colour->data() + 7;
+  const auto read = std::from_chars(row.look.colour->data() + 1, end, value, 16);
+  if (read.ec != std::errc() || read.ptr != end) return usual;
+  return {static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>(value >> 8U),
+          static_cast<std::uint8_t>(value)};
+}
+
+std::string hex_text(Rgba colour) {
+  return fmt::format("#{:02X}{:02X}{:02X}", colour.red, colour.green, colour.blue);
+}
+
+void draw_colour(kit::Ui& ui, const LayersModel::Row& row, Actions& asked) {
+  const auto edit =
+      ui.colour("##colour", layer_colour(row, ui.theme()), {"Colour of its lines", ""});
+  if (edit.is_changed || edit.was_committed) {
+    asked.emplace_back(actions::SetLayerColour{row.layer, hex_text(edit.value)});
+  }
+  if (const auto menu = ui.context_menu("colour menu")) {
+    kit::MenuItem item;
+    if (!row.look.colour) item.disabled_because = "It is already";
+    if (ui.menu_item("As the theme has it", item)) {
+      asked.emplace_back(actions::SetLayerColour{row.layer, std::nullopt});
+    }
+  }
+}
+
+void draw_opacity(kit::Ui& ui, const LayersModel::Row& row, Actions& asked) {
+  kit::NumberOptions options;
+  options.least = 0.0;
+  options.most = 1.0;
+  options.reset = 1.0;
+  options.hint = {fmt::format("Opacity {:.0f} %", row.look.opacity * kPercentOfLayer), ""};
+  ui.next_width(ui.px(kSliderWidth));
+  const auto edit = ui.small_slider("opacity", row.look.opacity, options);
+  if (edit.is_changed || edit.was_committed)
+    asked.emplace_back(actions::SetLayerOpacity{row.layer, edit.value});
+}
+
+void draw_layer_row(kit::Ui& ui, const LayersModel& model, std::size_t place, Actions& asked) {
+  const LayersModel::Row& row = model.rows[place];
+  const std::string name(enum_name(row.layer));
+  const auto scope = ui.scope(name);
+  const auto grip = ui.grip("grip", place, model.rows.size(), ui.px(kRowHeight));
+  if (grip.was_committed && grip.value != place) {
+    // The first row is the top of the map: up the list is up there.
+    asked.emplace_back(
+        actions::MoveLayer{row.layer, static_cast<int>(place) - static_cast<int>(grip.value)});
+  }
+  ui.same_line(ui.px(2.0));
+  const bool shows = row.look.is_visible;
+  const std::string title(layer_title(row.layer));
+  if (const auto on = ui.eye("visible", shows, {(shows ? "Hide " : "Show ") + title, ""})) {
+    asked.emplace_back(actions::ShowLayer{row.layer, *on ? Switch::kOn : Switch::kOff});
+  }
+  ui.same_line(ui.px(4.0));
+  const bool is_empty = !row.why_empty.empty();
+  ui.text(title, is_empty || !shows ? kit::TextLook::kMuted : kit::TextLook::kNormal);
+  ui.hint({std::string(kHelps.at(static_cast<std::size_t>(row.layer))), ""});
+  ui.same_line();
+  if (is_empty) {
+    const double width = ui.text_width(row.why_empty, kit::TextLook::kMuted);
+    ui.right_align(std::min(width, std::max(1.0, ui.room().width)));
+    ui.cut_text(row.why_empty, kit::TextLook::kMuted);
+    ui.hint({title + " shows nothing now: " + row.why_empty, ""});
+    return;
+  }
+  const bool has_colour = has_line_colour(row.layer);
+  const double gap = ui.px(8.0);
+  ui.right_align(ui.px(kSliderWidth) + (has_colour ? ui.px(kSwatchWidth) + gap : 0.0));
+  if (has_colour) {
+    const auto no_label = ui.label_width(0.0);
+    ui.next_width(ui.px(kSwatchWidth));
+    draw_colour(ui, row, asked);
+    ui.same_line(gap);
+  }
+  draw_opacity(ui, row, asked);
+}
+
+/// Three letters and "%" at most: "37 %", "4.2 %".
+std::string share_text(double share) {
+  constexpr double kFewPercent = 9.95;
+  const double percent = share * kPercentOfLayer;
+  return fmt::format("{:.{}f} %", percent, percent < kFewPercent ? 1 : 0);
+}
+
+void draw_class_shares(kit::Ui& ui, const LayersModel& model) {
+  const auto section = ui.section(
+      "Classes", true, model.classes.empty() ? "" : fmt::format("{}", model.classes.size()));
+  if (!section) return;
+  if (model.classes.empty()) {
+    ui.text("No map is open", kit::TextLook::kMuted);
+    return;
+  }
+  const std::array<kit::Column, 2> columns = {kit::Column{"class"}, kit::Column{"share"}};
+  kit::TableOptions options;
+  options.has_header = false;
+  const auto table = ui.table("shares", columns, options);
+  if (!table) return;
+  for (const LayersModel::ClassShare& of_class : model.classes) {
+    const std::string name(class_info(of_class.id).name);
+    ui.row(name);
+    ui.cell(name);
+    ui.bar_cell(of_class.share, class_colour(of_class.id), share_text(of_class.share));
+  }
+}
+
+}  // namespace
+
+std::string_view layer_title(Layer layer) { return kTitles.at(static_cast<std::size_t>(layer)); }
+
+bool has_line_colour(Layer layer) {
+  return layer == Layer::kOdometry || layer == Layer::kTruth || layer == Layer::kEstimate ||
+         layer == Layer::kEllipses || layer == Layer::kGraticule;
+}
+
+Actions draw_layers(kit::Ui& ui, const LayersModel& model, LayersState& /*state*/) {
+  Actions asked;
+  const auto scope = ui.scope("Layers");
+  const auto area = ui.scroll_area("Layers area");
+  for (std::size_t place = 0; place < model.rows.size(); ++place)
+    draw_layer_row(ui, model, place, asked);
+  ui.space();
+  {
+    const std::array<std::string, 3> poses = {"estimate", "truth", "odometry"};
+    const auto above = ui.label_width(0.0);
+    const auto pose = ui.choice("topview at", poses, static_cast<std::size_t>(model.topview_at),
+                                {"Pose at which the topview lies on the map", ""});
+    if (pose) asked.emplace_back(actions::LayTopview{static_cast<PoseSource>(*pose)});
+  }
+  ui.space();
+  draw_class_shares(ui, model);
+  return asked;
+}
+
+}  // namespace nadir

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <charconv>
+
+#include "widgets/panels/map_lines.h"
+
+namespace nadir {
+
+Layer layer_of_source(PoseSource source) {
+  switch (source) {
+    case PoseSource::kTruth:
+      return Layer::kTruth;
+    case PoseSource::kOdometry:
+      return Layer::kOdometry;
+    case PoseSource::kEstimate:
+      break;
+  }
+  return Layer::kEstimate;
+}
+
+Rgba faded(Rgba colour, double opacity) {
+  return with_opacity(colour, opacity * colour.alpha / 255.0);
+}
+
+bool has_ground_picture(const MapViewModel& model) {
+  const auto shows = [&](Layer layer) {
+    return model.look.layer(layer).is_visible && model.look.layer(layer).opacity > 0.3;
+  };
+  return model.map != nullptr && (shows(Layer::kPicture) || shows(Layer::kLabels));
+}
+
+std::optional<Rigid2> pose_of(const RunStep& step, PoseSource source) {
+  switch (source) {
+    case PoseSource::kTruth:
+      return step.truth_in_enu;
+    case PoseSource::kOdometry:
+      return step.odometry_in_enu;
+    case PoseSource::kEstimate:
+      break;
+  }
+  return step.estimate.moments.mean;
+}
+
+std::optional<Rgba> colour_from_hex(const std::string& text) {
+  if (text.size() != 7 || text.front() != '#') return std::nullopt;
+  std::uint32_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data() + 1, end, value, 16);
+  if (error != std::errc() || stopped != end) return std::nullopt;
+  return Rgba{static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>(value >> 8U),
+              static_cast<std::uint8_t>(value)};
+}
+
+PathLook run_path_look(const MapViewModel& model,
+                       const MapRun& run,
+                       PoseSource source,
+                       const Theme& theme) {
+  const bool is_on_picture = has_ground_picture(model);
+  PathLook look;
+  look.casing = is_on_picture ? theme.casing_on_imagery : with_opacity(theme.window, 0.8);
+  look.casing_pt = 0.7;
+  look.width_pt = 1.5;
+  switch (source) {
+    case PoseSource::kTruth:
+      look.colour = is_on_picture ? theme.truth_on_imagery : theme.truth;
+      break;
+    case PoseSource::kOdometry:
+      look.colour = is_on_picture ? theme.odometry_on_imagery : theme.odometry;
+      look.is_dashed = true;
+      break;
+    case PoseSource::kEstimate:
+      look.colour =
+          is_on_picture ? run_colour_on_imagery(theme, run.colour) : run_colour(theme, run.colour);
+      look.is_dashed = is_run_dashed(run.colour);
+      look.width_pt = 1.9;
+      break;
+  }
+  const LayerLook& layer = model.look.layer(layer_of_source(source));
+  const auto own = layer.colour ? colour_from_hex(*layer.colour) : std::nullopt;
+  // A colour of the user's own is that of the active run: the others keep theirs, or nobody could tell them apart.
+  if (own && (source != PoseSource::kEstimate || run.is_active)) look.colour = *own;
+  look.colour = faded(look.colour, layer.opacity);
+  look.casing = faded(look.casing, layer.opacity);
+  return look;
+}
+
+}  // namespace nadir

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/session/action.h"
+#include "core/session/session.h"
+#include "widgets/kit/ui.h"
+#include "widgets/panels/map_geometry.h"
+#include "widgets/panels/map_trails.h"
+
+namespace nadir {
+
+/// A run as the map shows it.
+struct MapRun {
+  int number = 1;  ///< Counts from 1, as in actions.
+  std::string name;
+  std::size_t colour = 0;  ///< Of run_colour().
+  bool is_active = false;
+  std::shared_ptr<const RunDocument> document;  ///< Null while it is read.
+  std::optional<std::size_t> step;              ///< At the cursor.
+  std::vector<Eigen::Vector2d> bookmarks_in_enu_m;
+  std::vector<std::string> bookmark_notes;  ///< One a bookmark; may be empty.
+};
+
+/// What the hero of the window shows. Made each frame: it holds no pixels and copies no path.
+struct MapViewModel {
+  MapLook look;              ///< Resolved: centre and up are those of now.
+  std::vector<MapRun> runs;  ///< Those that are drawn; the active one last, so that it lies on top.
+  std::shared_ptr<const RunStep> step;  ///< Of the active run, with particles; null until decoded.
+  std::shared_ptr<const MapIndex> map;  ///< Null: none, or being read.
+  std::optional<ProjectPlane> plane;    ///< Of the map, else of the active run.
+  std::string reading;                  ///< Name of what is being read; empty: nothing is.
+  std::optional<int> selected_particle;
+  bool takes_keys = true;  ///< False: something lies over the window, and Escape is for that.
+};
+[[nodiscard]] MapViewModel map_view_model(const Session& session);
+
+/// The ground that the window draws for a map: picture, labels, reconstruction, surfaces, topview, particles.
+struct MapGround {
+  int run = 0;       ///< Number of the run whose topview and particles lie on it; 0: none.
+  MapCamera camera;  ///< Metres a pixel of the window, not of the frame buffer.
+  int width_px = 0, height_px = 0;
+};
+
+struct MapViewState {
+  /// Draws the ground and gives its texture, bottom row first; called while the view is drawn, so that ground and lines never
+  /// part. Empty: nothing lies below the lines.
+  std::function<kit::TextureId(const MapGround&)> ground;
+
+  std::optional<MapReadout>
+      readout;       ///< Of the place under the mouse in this frame; for the status line.
+  MapCamera camera;  ///< That the view (of the active run) was drawn with; for exports.
+  PageRect where;    ///< Of its page.
+
+  RunPathsCache paths;
+  std::string grabbing_pane;  ///< Map whose ground a drag holds; empty: none.
+  Eigen::Vector2d grabbed_in_enu_m =
+      Eigen::Vector2d::Zero();  ///< The place of the ground that it holds.
+  Eigen::Vector2d menu_in_enu_m = Eigen::Vector2d::Zero();  ///< Where the menu was opened.
+};
+
+/// The map with all that lies over it, in the region that the caller has made: takes all its room. Paths begin with "Map/".
+[[nodiscard]] Actions draw_map_view(kit::Ui& ui, const MapViewModel& model, MapViewState& state);
+
+}  // namespace nadir

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "widgets/panels/map_view.h"
+
+namespace nadir {
+namespace {
+
+MapRun map_run(const Session& session, std::size_t index) {
+  const OpenRun& open = session.runs()[index];
+  MapRun run;
+  run.number = static_cast<int>(index) + 1;
+  run.name = open.name;
+  run.colour = static_cast<std::size_t>(std::max(0, session.view().runs[index].colour));
+  run.is_active = run.number == session.view().active_run;
+  run.document = open.document;
+  if (!open.document) return run;
+  run.step = run.is_active ? session.step_index() : session.step_index_of(run.number);
+  if (run.step && *run.step >= open.document->steps.size()) run.step.reset();
+  if (!run.is_active) return run;
+  for (const Bookmark& bookmark : open.bookmarks) {
+    const auto step = open.document->index_at(bookmark.time_s);
+    if (!step) continue;
+    run.bookmarks_in_enu_m.push_back(
+        open.document->steps[*step].estimate.moments.mean.translation_m());
+    run.bookmark_notes.push_back(bookmark.note);
+  }
+  return run;
+}
+
+std::optional<ProjectPlane> plane_of(const Session& session) {
+  if (const OpenMap* const map = session.map(); map != nullptr && map->index) {
+    return map->index->map().plane;
+  }
+  const OpenRun* const run = session.active_run();
+  if (run == nullptr || !run->document) return std::nullopt;
+  const RunHeader& header = run->document->header;
+  const auto plane = ProjectPlane::create({header.plane_latitude_deg, header.plane_longitude_deg});
+  if (!plane) return std::nullopt;
+  return *plane;
+}
+
+}  // namespace
+
+MapViewModel map_view_model(const Session& session) {
+  MapViewModel model;
+  model.look = session.resolved_map_look();
+  for (std::size_t i = 0; i < session.runs().size(); ++i) {
+    const bool is_active = static_cast<int>(i) + 1 == session.view().active_run;
+    if (is_active || session.view().runs[i].is_shown) model.runs.push_back(map_run(session, i));
+  }
+  std::stable_partition(model.runs.begin(), model.runs.end(),
+                        [](const MapRun& run) { return !run.is_active; });
+  model.step = session.step();
+  model.plane = plane_of(session);
+  if (const OpenMap* const map = session.map()) {
+    model.map = map->index;
+    if (!map->index) model.reading = map->path.filename().string();
+  }
+  const auto unread = std::find_if(model.runs.begin(), model.runs.end(),
+                                   [](const MapRun& run) { return !run.document; });
+  if (unread != model.runs.end()) model.reading = unread->name;
+  model.selected_particle = session.view().selected_particle;
+  model.takes_keys = session.overlay() == Overlay::kNone;
+  return model;
+}
+
+}  // namespace nadir

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/panels/runs_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "widgets/panels/empty_state.h"
+#include "widgets/panels/shortcut_hint.h"
+#include "widgets/panels/time_axis.h"
+
+namespace nadir {
+namespace {
+
+constexpr double kPercentOfSteps = 100.0;
+constexpr double kExpectedNees = 3.0;  ///< Of a filter that knows itself: three degrees of freedom.
+constexpr double kExpectedCoverage = 95.0;  ///< Percent of the steps.
+
+/// What the panel has room for, by the comparison's keys.
+struct ShownMetric {
+  std::string_view key, name, unit;
+  double factor = 1.0;  ///< From the comparison's unit to the shown one.
+  int decimals = 2;
+  std::optional<double> expected;  ///< The best value, where neither lower nor higher is better.
+};
+constexpr std::array<ShownMetric, 10> kShownMetrics = {{
+    {"estimate_position_rmse_m", "RMSE", "m", 1.0, 2, std::nullopt},
+    {"estimate_position_median_m", "median", "m", 1.0, 2, std::nullopt},
+    {"estimate_position_p90_m", "90 % below", "m", 1.0, 2, std::nullopt},
+    {"estimate_position_max_m", "largest", "m", 1.0, 2, std::nullopt},
+    {"estimate_orientation_median_rad", "heading", "deg", 1.0, 2, std::nullopt},
+    {"nees_mean", "NEES", "", 1.0, 2, kExpectedNees},
+    {"coverage_95", "coverage", "%", kPercentOfSteps, 1, kExpectedCoverage},
+    {"estimate_recall_1m", "within 1 m", "%", kPercentOfSteps, 1, std::nullopt},
+    {"estimate_recall_3m", "within 3 m", "%", kPercentOfSteps, 1, std::nullopt},
+    {"estimate_recall_5m", "within 5 m", "%", kPercentOfSteps, 1, std::nullopt},
+}};
+constexpr int kMostDecimals = 2;
+/// Before the best of a row, which is also green: not everybody sees that.
+constexpr std::string_view kBestMark = "• ";
+
+/// Which run is the best by a metric; nothing where none is.
+std::optional<std::size_t> best_of(const ShownMetric& metric,
+                                   const MetricRow& row,
+                                   bool is_same_flight) {
+  if (!metric.expected || !is_same_flight) return row.best;
+  std::optional<std::size_t> best;
+  double least = 0.0;
+  std::size_t known = 0;
+  bool is_shared = false;
+  for (std::size_t i = 0; i < row.values.size(); ++i) {
+    if (!row.values[i]) continue;
+    ++known;
+    // A ratio for NEES, where twice as large is as wrong as half as large; a difference for shares.
+    const double value = *row.values[i] * metric.factor;
+    const double away = metric.unit.empty()
+                            ? std::abs(std::log(std::max(value, 1e-9) / *metric.expected))
+                            : std::abs(value - *metric.expected);
+    if (best && away == least) is_shared = true;
+    if (best && away >= least) continue;
+    best = i;
+    least = away;
+    is_shared = false;
+  }
+  return known < 2 || is_shared ? std::nullopt : best;
+}
+
+/// Compares again only where other runs are open, or one has grown. The active one comes first.
+void compare_again(const RunsModel& model, RunsState& state) {
+  std::vector<const RunsModel::Row*> rows;
+  for (const RunsModel::Row& row : model.rows) {
+    if (row.document != nullptr) rows.push_back(&row);
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto* a, const auto* b) { return a->is_active && !b->is_active; });
+  std::vector<int> numbers;
+  std::vector<std::shared_ptr<const RunDocument>> documents;
+  for (const RunsModel::Row* row : rows) {
+    numbers.push_back(row->number);
+    documents.push_back(row->document);
+  }
+  if (documents == state.compared && numbers == state.numbers) return;
+  state.comparison = compare_runs(documents);
+  state.numbers = std::move(numbers);
+  state.compared = std::move(documents);
+}
+
+std::string facts_of(const RunsModel::Row& row) {
+  if (row.document == nullptr) return row.path + "\nis being read";
+  const RunDocument& run = *row.document;
+  std::string facts =
+      fmt::format("{}\n{} steps in {}, preset {}, seed {}", row.path, run.steps.size(),
+                  clock_text(run.duration_s()), run.header.preset, run.header.seed);
+  if (!run.is_complete && !row.is_live) facts += "\nstopped before its end";
+  return facts;
+}
+
+void draw_run_row(kit::Ui& ui, const RunsModel::Row& row, std::size_t count, Actions& asked) {
+  const auto scope = ui.scope(fmt::format("{}", row.number));
+  const double button = ui.px(28.0);
+  const double inside = ui.room().width - ui.px(8.0);
+  kit::ListRow look;
+  look.is_selected = row.is_active;
+  look.hint = {facts_of(row), ""};
+  if (ui.list_row("##activate", look).was_clicked && !row.is_active) {
+    asked.emplace_back(actions::ActivateRun{row.number});
+  }
+  ui.same_line(0.0);
+  ui.right_align(inside);
+  ui.colour_dot(run_colour(ui.theme(), static_cast<std::size_t>(std::max(0, row.colour))));
+  ui.same_line();
+  const bool is_muted = row.document == nullptr || (!row.is_shown && !row.is_active);
+  ui.cut_text(row.name, is_muted ? kit::TextLook::kMuted : kit::TextLook::kNormal, 2.0 * button);
+  ui.same_line(0.0);
+  ui.right_align(2.0 * button);
+  if (count > 1) {
+    const auto always = ui.disabled(row.is_active, "The active run always shows");
+    const auto shown =
+        ui.eye("shown", row.is_shown || row.is_active, {"Draw it beside the active run", ""});
+    if (shown)
+      asked.emplace_back(actions::ShowRun{row.number, *shown ? Switch::kOn : Switch::kOff});
+    ui.same_line(0.0);
+    ui.right_align(button);
+  } else {
+    ui.right_align(button);
+  }
+  if (ui.icon_button("Close", kit::Icon::kClose,
+                     hint_for("Close this run; its file stays", actions::CloseRun{row.number}))) {
+    asked.emplace_back(actions::CloseRun{row.number});
+  }
+  if (!row.is_live) return;
+  const std::size_t steps = row.document == nullptr ? 0 : row.document->steps.size();
+  const std::string words =
+      row.progress_words.empty() ? fmt::format("{} steps", steps) : row.progress_words;
+  if (ui.progress("localising", row.progress, words, row.job.has_value())) {
+    asked.emplace_back(actions::CancelJob{row.job});
+  }
+}
+
+std::string name_of_run(const RunsModel& model, int number) {
+  const auto row =
+      std::find_if(model.rows.begin(), model.rows.end(),
+                   [number](const RunsModel::Row& one) { return one.number == number; });
+  return row == model.rows.end() ? std::string() : row->name;
+}
+
+/// Columns for the runs right of a first one.
+std::vector<kit::Column> columns_of(const kit::Ui& ui,
+                                    const RunsModel& model,
+                                    const RunsState& state,
+                                    std::string first,
+                                    kit::Align align) {
+  std::vector<kit::Column> columns(1);
+  columns[0].title = std::move(first);
+  // The names of the rows come first: a number needs little.
+  const double width =
+      std::clamp((ui.room().width - ui.px(132.0)) /
+                     static_cast<double>(std::max<std::size_t>(1, state.numbers.size())),
+                 ui.px(52.0), ui.px(72.0));
+  for (const int number : state.numbers) {
+    kit::Column column;
+    column.title = name_of_run(model, number);
+    column.align = align;
+    column.width = width;
+    column.decimals = kMostDecimals;
+    column.hint = {column.title, ""};
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+void draw_metrics(kit::Ui& ui, const RunsModel& model, const RunsState& state) {
+  const auto section = ui.section("Errors");
+  if (!section) return;
+  const auto columns = columns_of(ui, model, state, "", kit::Align::kDecimal);
+  const auto table = ui.table("metrics", columns);
+  if (!table) return;
+  for (const ShownMetric& metric : kShownMetrics) {
+    const auto& rows = state.comparison.metrics;
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [&](const MetricRow& one) { return one.key == metric.key; });
+    if (row == rows.end()) continue;
+    const auto best = best_of(metric, *row, state.comparison.is_same_flight);
+    const std::string name(metric.name);
+    ui.row(name);
+    ui.cell(metric.unit.empty() ? name : fmt::format("{} [{}]", name, metric.unit),
+            kit::TextLook::kMuted);
+    for (std::size_t i = 0; i < row->values.size(); ++i) {
+      const auto& value = row->values[i];
+      if (!value) {
+        ui.number_cell("–", kit::TextLook::kMutedNumber);
+        continue;
+      }
+      const std::string digits = fmt::format("{:.{}f}", *value * metric.factor, metric.decimals);
+      const bool is_best = best == i;
+      ui.number_cell(is_best ? std::string(kBestMark) + digits : digits,
+                     is_best ? kit::TextLook::kGood : kit::TextLook::kNumber);
+    }
+  }
+}
+
+void draw_settings(kit::Ui& ui, const RunsModel& model, const RunsState& state) {
+  const auto& settings = state.comparison.settings;
+  const auto section = ui.section("Settings that differ", true, fmt::format("{}", settings.size()));
+  if (!section) return;
+  if (settings.empty()) {
+    ui.text("None: the runs were made alike", kit::TextLook::kMuted);
+    return;
+  }
+  const auto columns = columns_of(ui, model, state, "", kit::Align::kRight);
+  const auto table = ui.table("settings", columns);
+  if (!table) return;
+  for (const SettingDifference& setting : settings) {
+    ui.row(setting.name);
+    ui.cell(
+        setting.unit.empty() ? setting.name : fmt::format("{} [{}]", setting.name, setting.unit),
+        kit::TextLook::kMuted);
+    if (!setting.help.empty()) ui.hint({setting.help, ""});
+    for (const auto& value : setting.values) ui.number_cell(value.value_or("–"));
+  }
+}
+
+void draw_divergences(kit::Ui& ui, const RunsModel& model, const RunsState& state, Actions& asked) {
+  const auto section = ui.section("Parting");
+  if (!section) return;
+  for (std::size_t i = 1; i < state.numbers.size(); ++i) {
+    const int number = state.numbers[i];
+    const auto scope = ui.scope(fmt::format("{}", number));
+    const auto& divergence = state.comparison.divergence[i];
+    const std::string name = name_of_run(model, number);
+    if (!divergence) {
+      ui.cut_text(name + " never leaves the active run", kit::TextLook::kMuted);
+      continue;
+    }
+    const double inside = ui.room().width - ui.px(8.0);
+    kit::ListRow row;
+    row.hint = {"Go to where " + name + " first leaves the active run", ""};
+    if (ui.list_row("##go", row).was_clicked) asked.emplace_back(actions::GoToDivergence{number});
+    ui.same_line(0.0);
+    ui.right_align(inside);
+    ui.text(clock_text(divergence->time_s), kit::TextLook::kNumber);
+    ui.same_line(ui.px(10.0));
+    ui.cut_text(state.numbers.size() > 2 ? name + ": " + divergence->words : divergence->words);
+  }
+}
+
+}  // namespace
+
+Actions draw_runs(kit::Ui& ui, const RunsModel& model, RunsState& state) {
+  const auto scope = ui.scope("Runs");
+  if (model.rows.empty())
+    return draw_empty_state(ui, no_run_state("how it did, and how others compare"));
+  Actions asked;
+  compare_again(model, state);
+  const auto area = ui.scroll_area("Runs area");
+  for (const RunsModel::Row& row : model.rows) draw_run_row(ui, row, model.rows.size(), asked);
+  ui.space();
+  {
+    const auto alone = ui.disabled(model.rows.size() < 2, "Open a second run first");
+    const auto split = ui.checkbox("Split view", model.is_split,
+                                   {"One map for each of two runs, moved together", ""});
+    if (split) asked.emplace_back(actions::SplitView{*split ? Switch::kOn : Switch::kOff});
+  }
+  if (state.numbers.empty()) return asked;
+  ui.space();
+  draw_metrics(ui, model, state);
+  if (state.numbers.size() < 2) return asked;
+  draw_settings(ui, model, state);
+  draw_divergences(ui, model, state, asked);
+  return asked;
+}
+
+}  // namespace nadir

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/run/run_options.h"
+
+namespace nadir {
+
+/// One option of the next run as a control needs it: everything comes from the one list of fields.
+struct SettingRow {
+  enum class Kind { kNumber, kWhole, kBigWhole, kSwitch, kChoice, kText };
+  Kind kind = Kind::kNumber;
+  std::string name, unit, help, range;
+  std::string value;         ///< Of the draft, as text.
+  std::string preset_value;  ///< Of the preset.
+  std::string group;
+  double least = 0.0, most = 0.0;    ///< Of numbers; infinite where open.
+  std::vector<std::string> choices;  ///< Of kChoice.
+  [[nodiscard]] bool differs() const { return value != preset_value; }
+};
+
+/// Every option, in the order of the list.
+[[nodiscard]] std::vector<SettingRow> setting_rows(const RunOptions& draft,
+                                                   const RunOptions& preset);
+
+/// Digits after the point that a control for a number shows: enough for its value and its preset's, and one to change.
+[[nodiscard]] int setting_decimals(const SettingRow& row);
+/// What an arrow key adds: a tenth of the leading digit's place of the preset's value, and at least what is shown.
+[[nodiscard]] double setting_step(const SettingRow& row);
+/// A number as set_option() takes it, without needless zeros: "0.05", "12000".
+[[nodiscard]] std::string setting_text(double value, int decimals);
+
+/// Whether all words typed are in name, help, group or unit.
+[[nodiscard]] bool fits_search(const SettingRow& row, std::string_view typed);
+
+}  // namespace nadir

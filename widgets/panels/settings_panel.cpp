@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/panels/settings_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "widgets/panels/empty_state.h"
+#include "widgets/panels/panel_text.h"
+#include "widgets/panels/shortcut_hint.h"
+
+namespace nadir {
+namespace {
+
+constexpr double kLabelWidth = 152.0;  ///< The longest name of an option, nearly.
+
+double value_in(const std::string& text) {
+  double value = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+kit::Hint hint_of(const SettingRow& row) {
+  std::string text = row.help;
+  if (!row.range.empty()) text += fmt::format("; {}", row.range);
+  text += fmt::format("; preset {}", row.preset_value);
+  return {text, "", row.unit};
+}
+
+/// The one thing that changing a control asks for; a value that is the preset's again is no change at all.
+void set_to(const SettingRow& row, const std::string& value, Actions& asked) {
+  if (value == row.value) return;
+  if (value == row.preset_value) {
+    asked.emplace_back(actions::SetOption{row.name, {}});
+  } else {
+    asked.emplace_back(actions::SetOption{row.name, value});
+  }
+}
+
+void draw_number(kit::Ui& ui, const SettingRow& row, Actions& asked) {
+  const int decimals = setting_decimals(row);
+  kit::NumberOptions options;
+  options.least = row.least;
+  options.most = row.most;
+  options.decimals = decimals;
+  options.unit = row.unit;
+  options.step = setting_step(row);
+  options.per_pixel = std::max(options.step / 10.0, std::pow(10.0, -decimals));
+  options.reset = value_in(row.preset_value);
+  options.hint = hint_of(row);
+  const auto edit = ui.number_input(row.name, value_in(row.value), options);
+  if (!edit.was_committed) return;
+  if (edit.was_reset) {
+    if (row.differs()) asked.emplace_back(actions::SetOption{row.name, {}});
+    return;
+  }
+  // A preset's value that has more digits than are shown is itself, not what it is rounded to.
+  const std::string text = setting_text(edit.value, decimals);
+  set_to(row, text == setting_text(value_in(row.preset_value), decimals) ? row.preset_value : text,
+         asked);
+}
+
+void draw_control(kit::Ui& ui, const SettingRow& row, Actions& asked) {
+  switch (row.kind) {
+    case SettingRow::Kind::kNumber:
+    case SettingRow::Kind::kWhole:
+      return draw_number(ui, row, asked);
+    case SettingRow::Kind::kSwitch: {
+      const auto is_on = ui.checkbox(row.name, row.value == "true", hint_of(row));
+      if (is_on) set_to(row, *is_on ? "true" : "false", asked);
+      return;
+    }
+    case SettingRow::Kind::kChoice: {
+      const auto now = std::find(row.choices.begin(), row.choices.end(), row.value);
+      const auto chosen = ui.combo(
+          row.name, row.choices, static_cast<std::size_t>(now - row.choices.begin()), hint_of(row));
+      if (chosen) set_to(row, row.choices.at(*chosen), asked);
+      return;
+    }
+    case SettingRow::Kind::kBigWhole:
+    case SettingRow::Kind::kText: {
+      kit::TextOptions options;
+      options.hint = hint_of(row);
+      const auto edit = ui.text_input(row.name, row.value, options);
+      if (edit.was_committed && !edit.was_cancelled) set_to(row, edit.value, asked);
+      return;
+    }
+  }
+}
+
+/// The control, and where it differs from the preset a button that takes that back.
+void draw_row(kit::Ui& ui, const SettingRow& row, Actions& asked) {
+  const double button = ui.px(28.0);
+  ui.next_width(row.kind == SettingRow::Kind::kSwitch
+                    ? 0.0
+                    : std::max(ui.px(64.0), ui.room().width - button - ui.px(8.0)));
+  draw_control(ui, row, asked);
+  if (!row.differs()) return;
+  ui.same_line();
+  ui.right_align(button);
+  if (ui.icon_button(fmt::format("Reset {}", row.name), kit::Icon::kUndo,
+                     {fmt::format("Back to the preset's {}", row.preset_value), ""})) {
+    asked.emplace_back(actions::SetOption{row.name, {}});
+  }
+}
+
+void draw_presets(kit::Ui& ui, const SettingsModel& model, SettingsState& state, Actions& asked) {
+  const auto now = std::find(model.presets.begin(), model.presets.end(), model.preset);
+  std::vector<std::string> titles;
+  for (const std::string& preset : model.presets)
+    titles.push_back(preset == "run" ? "as the active run" : shortened(preset, 32));
+  const auto chosen =
+      ui.combo("preset", titles, static_cast<std::size_t>(now - model.presets.begin()),
+               {"What all options are taken from; changes are lost", ""});
+  if (chosen) asked.emplace_back(actions::UsePreset{model.presets.at(*chosen)});
+  if (const auto save = ui.section("Save as a recipe", false)) {
+    kit::TextOptions options;
+    options.placeholder = "recipe.toml";
+    options.hint = {"A file that nadir localise takes, and that can be dropped on the window", ""};
+    const auto edit = ui.text_input("file", state.preset_file, options);
+    state.preset_file = edit.value;
+    const auto off = ui.disabled(state.preset_file.empty(), "type the file's name first");
+    if (ui.button("Save preset", kit::ButtonLook::kNormal,
+                  {"Write all options of the next run into this file", ""}, kit::Icon::kSave)) {
+      asked.emplace_back(actions::SavePreset{state.preset_file});
+    }
+  }
+}
+
+void draw_rerun(kit::Ui& ui, const SettingsModel& model, Actions& asked) {
+  for (const JobStatus& job : model.running) {
+    ui.cut_text(job.title);
+    const std::string words = job.left_s ? left_text(*job.left_s) : job.activity;
+    if (ui.progress(fmt::format("Job {}", job.number), job.fraction, words)) {
+      asked.emplace_back(actions::CancelJob{job.number});
+    }
+  }
+  const auto start = [&](const std::string& label, const std::string& why_not,
+                         const std::string& help, RerunFrom from, kit::ButtonLook look) {
+    const Action action = actions::Rerun{from};
+    const auto off = ui.disabled(!why_not.empty(), why_not);
+    if (ui.button(label, look, hint_for(help, action), kit::Icon::kPlay)) asked.push_back(action);
+  };
+  start("Rerun from here", model.why_not_from_cursor,
+        "Localise on from this moment with the recorded particles", RerunFrom::kCursor,
+        kit::ButtonLook::kPrimary);
+  ui.same_line();
+  start("From the start", model.why_not_from_start, "Localise the whole flight again",
+        RerunFrom::kStart, kit::ButtonLook::kNormal);
+}
+
+}  // namespace
+
+Actions draw_settings_panel(kit::Ui& ui, const SettingsModel& model, SettingsState& state) {
+  const auto scope = ui.scope("Settings");
+  Actions asked;
+  draw_rerun(ui, model, asked);
+  if (!model.fault.empty()) ui.wrapped(model.fault, kit::TextLook::kBad);
+  ui.space();
+  draw_presets(ui, model, state, asked);
+  ui.line();
+  kit::TextOptions search;
+  search.placeholder = "Find an option";
+  state.search = ui.search_input("Search", state.search, search).value;
+  const auto differing = std::count_if(model.rows.begin(), model.rows.end(),
+                                       [](const SettingRow& row) { return row.differs(); });
+  const auto only = ui.checkbox("only changed", state.shows_only_changed,
+                                {fmt::format("Options whose value is not the preset's: {} of {}",
+                                             differing, model.rows.size()),
+                                 ""});
+  if (only) state.shows_only_changed = *only;
+  const auto is_shown = [&](const SettingRow& row) {
+    return fits_search(row, state.search) && (!state.shows_only_changed || row.differs());
+  };
+  if (std::none_of(model.rows.begin(), model.rows.end(), is_shown)) {
+    if (!state.search.empty()) {
+      ui.wrapped(
+          fmt::format("No option has “{}” in its name or help.", shortened(state.search, 40)),
+          kit::TextLook::kMuted);
+    } else {
+      ui.text("All options are the preset's.", kit::TextLook::kMuted);
+    }
+    return asked;
+  }
+  const auto area = ui.scroll_area("Options");
+  const auto labels = ui.label_width(ui.px(kLabelWidth));
+  for (auto row = model.rows.begin(); row != model.rows.end();) {
+    const auto end = std::find_if(
+        row, model.rows.end(), [&](const SettingRow& other) { return other.group != row->group; });
+    if (std::any_of(row, end, is_shown)) {
+      const auto changed =
+          std::count_if(row, end, [](const SettingRow& one) { return one.differs(); });
+      if (const auto group =
+              ui.section(row->group, true, changed > 0 ? fmt::format("{} changed", changed) : "")) {
+        for (; row != end; ++row) {
+          if (is_shown(*row)) draw_row(ui, *row, asked);
+        }
+      }
+    }
+    row = end;
+  }
+  return asked;
+}
+
+}  // namespace nadir

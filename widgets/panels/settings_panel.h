@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/session/action.h"
+#include "core/session/session.h"
+#include "widgets/kit/ui.h"
+#include "widgets/panels/setting_rows.h"
+
+namespace nadir {
+
+struct SettingsModel {
+  std::vector<SettingRow> rows;
+  std::vector<std::string> presets;  ///< To choose from; the chosen one among them.
+  std::string preset;
+  std::size_t changed_count = 0;  ///< Options that differ from the preset's.
+  std::string fault;              ///< Why these options make no run; empty: they do.
+  std::string why_not_from_start, why_not_from_cursor;  ///< Empty: it can be done now.
+  std::vector<JobStatus> running;                       ///< Localisations in the background.
+};
+[[nodiscard]] SettingsModel settings_model(const Session& session);
+
+struct SettingsState {
+  std::string search;
+  std::string preset_file;  ///< Typed for "Save preset".
+  bool shows_only_changed = false;
+};
+
+/// All options of the next run, and the buttons that start it. One step of undo a drag.
+[[nodiscard]] Actions draw_settings_panel(kit::Ui& ui,
+                                          const SettingsModel& model,
+                                          SettingsState& state);
+
+}  // namespace nadir

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/panels/shortcuts.h"
+
+#include <algorithm>
+#include <array>
+
+namespace nadir {
+
+const Command* command_of(const kit::Chord& chord) {
+  for (const Command& command : session_commands()) {
+    if (!command.shortcut.empty() && kit::parse_chord(command.shortcut) == chord) return &command;
+  }
+  return nullptr;
+}
+
+bool repeats_while_held(const Command& command) {
+  constexpr std::array<std::string_view, 6> kRepeating = {"step", "zoom", "rotate",
+                                                          "go",   "undo", "redo"};
+  const std::string_view name = command.text.substr(0, command.text.find(' '));
+  return std::find(kRepeating.begin(), kRepeating.end(), name) != kRepeating.end();
+}
+
+const Command* pressed_command(const kit::Ui& ui, bool is_overlay_open) {
+  for (const Command& command : session_commands()) {
+    if (command.shortcut.empty()) continue;
+    if (is_overlay_open && command.text.substr(0, 5) != "show ") continue;
+    if (ui.is_pressed(command.shortcut, repeats_while_held(command))) return &command;
+  }
+  return nullptr;
+}
+
+}  // namespace nadir
