@@ -27,5 +27,6 @@ int run_figure(std::span<const std::string> arguments, std::ostream& out, std::o
 int run_report(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
 int run_map(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
 int run_flight(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
+int run_gui(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace nadir::cli

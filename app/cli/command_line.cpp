@@ -14,6 +14,7 @@ namespace nadir::cli {
 namespace {
 
 constexpr std::array kCommands = {
+    Command{"gui", "Open the window: replay runs, see why, run again, compare", run_gui},
     Command{"demo", "Localise a made-up flight on the bundled town and print the errors", run_demo},
     Command{"simulate", "Make a flight with known truth on a labelled overhead", run_simulate},
     Command{"localise", "Localise a flight on a labelled overhead", run_localise},
@@ -32,7 +33,8 @@ void print_help(std::ostream& out) {
     out << "  " << command.name << std::string(12 - command.name.size(), ' ') << command.summary
         << "\n";
   }
-  out << "\n'nadir COMMAND --help' explains a command. Start with 'nadir demo --out demo'.\n"
+  out << "\n'nadir COMMAND --help' explains a command. 'nadir' alone opens the window;\n"
+         "without a display start with 'nadir demo --out demo'.\n"
          "'nadir --version' tells the version.\n"
          "\nResults go to standard output, words to standard error. Exit status:\n"
          "  0  done\n"
@@ -57,9 +59,10 @@ std::span<const Command> commands() { return kCommands; }
 
 int run_command_line(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away is a failed write, not a death
-  if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h") {
+  if (arguments.empty()) return run_gui({}, out, err);
+  if (arguments[0] == "--help" || arguments[0] == "-h") {
     print_help(out);
-    return arguments.empty() ? kMisused : kDone;
+    return kDone;
   }
   if (arguments[0] == "--version") {
     out << "nadir " << kVersion << "\n";

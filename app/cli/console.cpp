@@ -6,25 +6,37 @@
 
 #include <array>
 #include <csignal>
+#include <cstdlib>
 #include <ctime>
+#include <string_view>
 #include <thread>
 
 namespace nadir::cli {
+namespace {
+
+bool are_lines_wanted() {
+  const char* const wanted =
+      std::getenv("NADIR_PROGRESS");  // NOLINT(concurrency-mt-unsafe): nobody sets any
+  return wanted != nullptr && std::string_view(wanted) == "lines";
+}
+
+}  // namespace
 
 ProgressBar::ProgressBar(std::ostream& err, bool is_quiet)
     : err_(err),
       is_shown_(!is_quiet && ::isatty(STDERR_FILENO) == 1),
+      writes_lines_(!is_quiet && are_lines_wanted()),
       began_(std::chrono::steady_clock::now()) {}
 
 ProgressBar::~ProgressBar() {
-  if (is_shown_) err_ << "\r\x1b[K" << std::flush;
+  if (is_shown_ && !writes_lines_) err_ << "\r\x1b[K" << std::flush;
 }
 
 void ProgressBar::show(double fraction, const std::string& activity) {
   using std::chrono::duration;
   constexpr int kWidth = 30;
   constexpr double kRedrawAfterS = 0.1;
-  if (!is_shown_) return;
+  if (!is_shown_ && !writes_lines_) return;
   const auto now = std::chrono::steady_clock::now();
   if (activity != activity_) {
     activity_ = activity;
@@ -33,6 +45,10 @@ void ProgressBar::show(double fraction, const std::string& activity) {
     return;
   }
   drawn_ = now;
+  if (writes_lines_) {
+    err_ << fmt::format("progress {:.4f} {}\n", fraction, activity) << std::flush;
+    return;
+  }
   const auto filled = static_cast<std::size_t>(fraction * kWidth);
   const double elapsed_s = duration<double>(now - began_).count();
   const std::string left =

@@ -12,7 +12,8 @@
 namespace nadir::cli {
 
 /// A bar with time left on a terminal; nothing where standard error is a file or a pipe, or where
-/// it was told to be quiet.
+/// it was told to be quiet. With NADIR_PROGRESS=lines in the environment, lines "progress 0.43 drawing flight" instead,
+/// wherever they go: for programs that call this one.
 class ProgressBar {
  public:
   ProgressBar(std::ostream& err, bool is_quiet);
@@ -24,7 +25,7 @@ class ProgressBar {
 
  private:
   std::ostream& err_;
-  bool is_shown_;
+  bool is_shown_, writes_lines_;
   std::string activity_;
   std::chrono::steady_clock::time_point began_, drawn_;
 };

@@ -35,9 +35,11 @@ TEST(CommandLine, NamesTheNearestCommandToAMisspeltOne) {
   EXPECT_THAT(misspelt.err, HasSubstr("did you mean localise?"));
 }
 
-TEST(CommandLine, IsMisusedWithoutACommandAndShowsTheHelp) {
-  EXPECT_EQ(run_program({}).status, 2);
-  EXPECT_THAT(run_program({}).out, HasSubstr("Usage"));
+TEST(CommandLine, OpensTheWindowWithoutACommandAndSaysSoWhereThereIsNoDisplay) {
+  const auto opened = run_program({});  // the test runs without a display
+  EXPECT_EQ(opened.status, 1);
+  EXPECT_THAT(opened.err, HasSubstr("no display"));
+  EXPECT_THAT(opened.err, HasSubstr("nadir --help"));
 }
 
 TEST(CommandLine, TellsItsVersion) {

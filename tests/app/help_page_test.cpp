@@ -17,9 +17,19 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::vector<std::vector<std::string>> every_command() {
-  return {{},         {"demo"},        {"simulate"},      {"localise"}, {"evaluate"},
-          {"map"},    {"map", "info"}, {"map", "import"}, {"flight"},   {"flight", "info"},
-          {"figure"}, {"report"}};
+  return {{},
+          {"demo"},
+          {"simulate"},
+          {"localise"},
+          {"evaluate"},
+          {"map"},
+          {"map", "info"},
+          {"map", "import"},
+          {"flight"},
+          {"flight", "info"},
+          {"figure"},
+          {"report"},
+          {"gui"}};
 }
 
 std::string help_of(std::vector<std::string> command) {

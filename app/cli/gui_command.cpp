@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "app/cli/arguments.h"
+#include "app/cli/command.h"
+#include "app/cli/figure_flow.h"
+#include "app/gui/child_process.h"
+#include "app/gui/run_gui.h"
+#include "core/base/field.h"
+#include "widgets/figures/page_size.h"
+
+namespace nadir::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kGuiName = "nadir gui";
+
+struct GuiArguments {
+  GuiRequest request;
+  std::string script, screenshot, size, scale, config;
+  bool is_fresh = false;
+};
+
+void add_arguments(CLI::App& app, GuiArguments& values) {
+  app.add_option(
+      "FILE", values.request.files,
+      "Runs, maps, flights, recipes or figures to open; without any, what was open last");
+  app.add_flag("--fresh", values.is_fresh, "Open nothing by itself");
+  app.add_option("--size", values.size, "Of the window [px], default 1280x800")
+      ->type_name("WIDTHxHEIGHT");
+  app.add_option("--scale", values.scale,
+                 "Of text and controls, 0.75 to 3; default the preference's")
+      ->type_name("NUMBER");
+  app.add_option("--config", values.config,
+                 "For preferences and the last session, default ~/.config/nadir")
+      ->type_name("FOLDER");
+  app.add_option("--script", values.script,
+                 "Do what a file says, an action a line, without a display")
+      ->type_name("FILE");
+  app.add_option("--screenshot", values.screenshot,
+                 "Photograph the window as PNG when it has come to rest, without a display")
+      ->type_name("FILE");
+  app.footer(
+      "Example: nadir gui run.nadir\n"
+      "Without a display: nadir gui run.nadir --screenshot window.png");
+}
+
+std::string variable(const char* name) {
+  const char* const value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nobody sets any
+  return value == nullptr ? std::string() : value;
+}
+
+/// $NAME/nadir, else ~/FALLBACK/nadir.
+fs::path folder_of_user(const char* name, const char* fallback) {
+  const std::string given = variable(name);
+  if (!given.empty() && fs::path(given).is_absolute()) return fs::path(given) / "nadir";
+  const std::string home = variable("HOME");
+  return (home.empty() ? fs::temp_directory_path() : fs::path(home) / fallback) / "nadir";
+}
+
+Result<void> take_size(const std::string& text, GuiRequest& request) {
+  if (text.empty()) return {};
+  const auto size = PageSize::from_text(text);
+  if (!size) return forward_error(size, "--size");
+  if (size->height == 0) {
+    return fail(ErrorCode::kInvalidOptions, "--size: '{}' has no height (1280x800)", text);
+  }
+  constexpr int kLeast = 320;
+  constexpr int kMost = 8192;
+  for (const int side : {size->width, size->height}) {
+    if (side < kLeast || side > kMost) {
+      return fail(ErrorCode::kInvalidOptions, "--size: {} is not in [{}, {}]", side, kLeast, kMost);
+    }
+  }
+  request.width = size->width;
+  request.height = size->height;
+  return {};
+}
+
+}  // namespace
+
+int run_gui(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
+  CLI::App app("Opens the window: replay runs, see why, run again, compare", kGuiName);
+  GuiArguments values;
+  add_arguments(app, values);
+  if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
+  GuiRequest& request = values.request;
+  if (const auto size = take_size(values.size, request); !size) {
+    return report_flags_error(err, kGuiName, size.error());
+  }
+  if (!values.scale.empty()) {
+    const auto scale = detail::parse_number(Field{"scale", "", "", 0.75, 3.0}, values.scale);
+    if (!scale) return report_flags_error(err, kGuiName, scale.error());
+    if (const auto valid = detail::check_range(Field{"scale", "", "", 0.75, 3.0}, *scale); !valid) {
+      return report_flags_error(err, kGuiName, valid.error());
+    }
+    request.scale = *scale;
+  }
+  request.program = own_program();
+  request.restores = !values.is_fresh;
+  request.places.config = values.config.empty() ? folder_of_user("XDG_CONFIG_HOME", ".config")
+                                                : fs::absolute(values.config);
+  request.places.data = folder_of_user("XDG_DATA_HOME", ".local/share");
+  request.places.bundled_map = find_bundled("maps/proving-ground");
+  request.places.recipe_in_figure = [](const fs::path& figure) -> Result<std::string> {
+    const auto recipe = stored_recipe(figure);
+    if (!recipe) return forward_error(recipe);
+    return recipe_text(*recipe);
+  };
+  for (std::string& file : request.files) file = fs::absolute(file).lexically_normal().string();
+  if (!values.script.empty()) request.script = values.script;
+  if (!values.screenshot.empty()) request.screenshot = values.screenshot;
+  const bool is_unseen = request.script || request.screenshot;
+  const auto done = is_unseen ? run_gui_unseen(request) : run_desktop_gui(request);
+  if (done) return kDone;
+  const int status = report_error(err, done.error());
+  if (arguments.empty()) err << "'nadir --help' lists the commands that need no display\n";
+  return status;
+}
+
+}  // namespace nadir::cli

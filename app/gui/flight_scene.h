@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "core/base/result.h"
+#include "core/flight/flight_recording.h"
+#include "core/run/run_file.h"
+#include "core/session/step_cache.h"
+#include "core/session/view_state.h"
+#include "widgets/gl/view_texture.h"
+#include "widgets/views/cloud_view.h"
+#include "widgets/views/frustum_view.h"
+#include "widgets/views/ground_view.h"
+#include "widgets/views/space_camera.h"
+#include "widgets/views/space_scene.h"
+#include "widgets/views/theme.h"
+
+namespace nadir {
+
+/// One instant in space, in the window: the labelled points that the camera saw, standing on the overhead where a pose lays
+/// them. The context that the window draws with must be current whenever this is used.
+class FlightScene {
+ public:
+  /// @errors as OverheadTiles::open.
+  [[nodiscard]] static Result<std::unique_ptr<FlightScene>> open(
+      const std::filesystem::path& package);
+
+  /// Cheap where step and camera moment are those of the last call. @param step, camera  Null: nothing to be seen.
+  /// @errors kMalformed: labels or depth do not have the camera's size.
+  [[nodiscard]] Result<void> show(const std::shared_ptr<const RunStep>& step,
+                                  const std::shared_ptr<const CameraMoment>& camera,
+                                  const FlightRecording* flight,
+                                  PoseSource laid_at);
+
+  /// @param camera  Nothing: behind and above the vehicle. @returns the camera that was used.
+  /// @errors kMalformed: the map's file is damaged there.
+  [[nodiscard]] Result<SpaceCamera> draw(const std::optional<SpaceCamera>& camera,
+                                         ThemeName theme,
+                                         int width,
+                                         int height,
+                                         double px_per_pt);
+  [[nodiscard]] std::uint32_t texture() const { return texture_.texture(); }
+
+ private:
+  explicit FlightScene(const Eigen::Vector2d& centre_in_enu_m);
+  [[nodiscard]] SpaceCamera behind_vehicle(const PageRect& where) const;
+
+  SpaceScene scene_;
+  ViewTexture texture_;
+  std::unique_ptr<GroundView> ground_;
+  CloudView cloud_;
+  FrustumView frustum_;
+  std::shared_ptr<const RunStep> step_;
+  std::shared_ptr<const CameraMoment> seen_;
+  std::optional<PoseSource> laid_at_;
+  std::optional<Rigid2> pose_in_enu_;
+  bool is_changed_ = true;
+  struct Sight {
+    SpaceCamera camera;
+    ThemeName theme;
+    int width, height;
+    double px_per_pt;
+    friend bool operator==(const Sight&, const Sight&) = default;
+  };
+  std::optional<Sight> drawn_;
+};
+
+}  // namespace nadir

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/gui/gui_shell.h"
+
+#include <mutex>
+#include <utility>
+
+#include "core/base/log.h"
+
+namespace nadir {
+
+/// Collects what libraries write to the log, from any thread, until the next frame tells the session.
+class GuiShell::LogTap {
+ public:
+  LogTap() : lines_(std::make_shared<Lines>()) {
+    before_ = set_log_sink([lines = lines_](LogLevel level, const std::string& line) {
+      const std::lock_guard lock(lines->mutex);
+      lines->said.emplace_back(level, line);
+    });
+  }
+  ~LogTap() { set_log_sink(before_); }
+  LogTap(const LogTap&) = delete;
+  LogTap& operator=(const LogTap&) = delete;
+
+  void tell(Session& session) {
+    std::vector<std::pair<LogLevel, std::string>> said;
+    {
+      const std::lock_guard lock(lines_->mutex);
+      said.swap(lines_->said);
+    }
+    for (const auto& [level, line] : said) {
+      session.notify(level == LogLevel::kError ? Notice::Kind::kError : Notice::Kind::kWarning,
+                     line);
+    }
+  }
+
+ private:
+  struct Lines {
+    std::mutex mutex;
+    std::vector<std::pair<LogLevel, std::string>> said;
+  };
+  std::shared_ptr<Lines> lines_;
+  LogSink before_;
+};
+
+GuiShell::GuiShell(const GuiRequest& request, std::function<void(const std::string&)> clipboard)
+    : asked_scale_(request.scale),
+      session_(request.places),
+      effects_(request.program, std::move(clipboard)),
+      window_(session_),
+      log_(std::make_unique<LogTap>()) {
+  if (request.restores && request.files.empty()) session_.restore();
+  for (const std::string& file : request.files) session_.apply(actions::OpenFile{file});
+}
+
+GuiShell::~GuiShell() = default;
+
+void GuiShell::frame(kit::Ui& ui, double elapsed_s) {
+  log_->tell(session_);
+  effects_.poll(session_);
+  session_.poll(elapsed_s);
+  window_.frame(ui);
+}
+
+bool GuiShell::is_busy() const {
+  return session_.is_busy() || effects_.is_busy() || window_.wants_more();
+}
+
+ThemeName GuiShell::theme_name() const {
+  return session_.view().appearance.theme == LightOrDark::kLight ? ThemeName::kLight
+                                                                 : ThemeName::kDark;
+}
+
+double GuiShell::scale(double screen_scale) const {
+  if (asked_scale_ > 0.0) return asked_scale_;
+  const double chosen = session_.view().appearance.scale;
+  return chosen > 0.0 ? chosen : screen_scale;
+}
+
+}  // namespace nadir

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "app/gui/effect_runner.h"
+#include "app/gui/gui_window.h"
+#include "app/gui/run_gui.h"
+#include "core/session/session.h"
+
+namespace nadir {
+
+/// What a window on the desktop and one that nobody sees have in common: a session, what is drawn of it, and the work that
+/// it asks for. The OpenGL context that is drawn with must be current for all of its life.
+class GuiShell {
+ public:
+  GuiShell(const GuiRequest& request, std::function<void(const std::string&)> clipboard);
+  ~GuiShell();
+  GuiShell(const GuiShell&) = delete;
+  GuiShell& operator=(const GuiShell&) = delete;
+
+  [[nodiscard]] Session& session() { return session_; }
+  /// Draws one frame. @param elapsed_s  Since the last one.
+  void frame(kit::Ui& ui, double elapsed_s);
+  [[nodiscard]] bool wants_to_quit() const { return effects_.wants_to_quit(); }
+  /// Whether something moves or grows by itself, so that the next frame must follow soon.
+  [[nodiscard]] bool is_busy() const;
+  [[nodiscard]] ThemeName theme_name() const;
+  /// @param screen_scale  The screen's own, for those who have chosen none.
+  [[nodiscard]] double scale(double screen_scale) const;
+
+ private:
+  class LogTap;
+  double asked_scale_;
+  Session session_;
+  EffectRunner effects_;
+  GuiWindow window_;
+  std::unique_ptr<LogTap> log_;  ///< VTK's and other libraries' complaints become notices.
+};
+
+}  // namespace nadir
