@@ -29,6 +29,7 @@ class GuiProgram : public DrawnRun {
   static void SetUpTestSuite() {
     made_ = new ScratchFolder;
     const std::string folder = (made_->path() / "demo").string();
+    std::filesystem::create_directory(folder);
     ASSERT_EQ(
         run({"simulate", NADIR_PROVING_GROUND, "--out", folder + "/flight", "--quiet"}).status, 0);
     ASSERT_EQ(run({"localise", folder + "/flight", "--map", NADIR_PROVING_GROUND, "--out",
