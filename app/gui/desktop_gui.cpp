@@ -17,6 +17,8 @@ using Clock = std::chrono::steady_clock;
 
 /// While nothing moves the window sleeps until there is input; this often it looks at files that grow.
 constexpr double kLongestSleepS = 0.5;
+/// While work goes on in the background: often enough for its progress, seldom enough to leave it the processor.
+constexpr double kSleepWhileWorkingS = 0.05;
 /// After input a few frames follow each other, for what opens and settles.
 constexpr int kFramesAfterInput = 3;
 
@@ -39,9 +41,9 @@ Result<void> run_desktop_gui(const GuiRequest& request) {
   auto last = Clock::now();
   int frames_to_draw = kFramesAfterInput;
   while (!shell.wants_to_quit()) {
-    const double sleep_s = shell.is_busy() || frames_to_draw > 0
-                               ? 0.0
-                               : std::min(kLongestSleepS, context.next_frame_within_s());
+    double sleep_s = std::min(kLongestSleepS, context.next_frame_within_s());
+    if (shell.is_busy()) sleep_s = std::min(sleep_s, kSleepWhileWorkingS);
+    if (shell.is_moving() || frames_to_draw > 0) sleep_s = 0.0;
     if (sleep_s > 0.0) {
       const auto slept = Clock::now();
       DesktopWindow::wait_events(sleep_s);
@@ -49,7 +51,7 @@ Result<void> run_desktop_gui(const GuiRequest& request) {
       if (waited_s < sleep_s) frames_to_draw = kFramesAfterInput;
     } else {
       DesktopWindow::poll_events();
-      --frames_to_draw;
+      frames_to_draw = std::max(0, frames_to_draw - 1);
     }
     for (const auto& file : (*window)->take_dropped_files()) {
       shell.session().apply(actions::OpenFile{file.string()});

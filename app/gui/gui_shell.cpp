@@ -65,6 +65,8 @@ bool GuiShell::is_busy() const {
   return session_.is_busy() || effects_.is_busy() || window_.wants_more();
 }
 
+bool GuiShell::is_moving() const { return session_.playback().is_playing || window_.wants_more(); }
+
 ThemeName GuiShell::theme_name() const {
   return session_.view().appearance.theme == LightOrDark::kLight ? ThemeName::kLight
                                                                  : ThemeName::kDark;

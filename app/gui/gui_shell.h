@@ -25,6 +25,8 @@ class GuiShell {
   [[nodiscard]] bool wants_to_quit() const { return effects_.wants_to_quit(); }
   /// Whether something moves or grows by itself, so that the next frame must follow soon.
   [[nodiscard]] bool is_busy() const;
+  /// Whether the very next frame shows something else: playing, tiles that come in.
+  [[nodiscard]] bool is_moving() const;
   [[nodiscard]] ThemeName theme_name() const;
   /// @param screen_scale  The screen's own, for those who have chosen none.
   [[nodiscard]] double scale(double screen_scale) const;

@@ -48,6 +48,9 @@ Tabs shown_tabs(const std::array<Tab, N>& all, const WindowLayout& layout, Panel
   return tabs;
 }
 
+/// Of the design: a column is not made narrower by hand.
+constexpr double kLeastColumn = 180.0;
+
 bool is_empty(const Session& session) {
   return session.view().runs.empty() && session.view().map_path.empty();
 }
@@ -90,9 +93,16 @@ GuiWindow::Places GuiWindow::arrange(const kit::Ui& ui) const {
   const auto size = [&ui](bool is_shown, double wanted, double most) {
     return is_shown ? std::round(std::min(ui.px(wanted), most)) : 0.0;
   };
-  const double left = size(has_content && has_any(kLeftTabs), layout.left_pt, places.most_left_px);
-  const double right =
-      size(has_content && has_any(kRightTabs), layout.right_pt, places.most_right_px);
+  double left = size(has_content && has_any(kLeftTabs), layout.left_pt, places.most_left_px);
+  double right = size(has_content && has_any(kRightTabs), layout.right_pt, places.most_right_px);
+  // In a small window the columns give way before the map does.
+  constexpr double kLeastMap = 400.0;
+  const double room = std::max(screen.width - rail - ui.px(kLeastMap), 2.0 * ui.px(kLeastColumn));
+  if (left + right > room) {
+    const double share = room / (left + right);
+    left = std::floor(left * share);
+    right = std::floor(right * share);
+  }
   const double timeline = size(has_content && layout.shows(Panel::kTimeline), layout.timeline_pt,
                                places.most_timeline_px);
   const double bottom = screen.height - status - timeline;
@@ -230,7 +240,6 @@ void GuiWindow::draw_middle(kit::Ui& ui, Actions& asked) {
 void GuiWindow::draw_splitters(kit::Ui& ui, const Places& places, Actions& asked) {
   const double handle = ui.px(6.0);
   const double scale = ui.px(1.0);
-  constexpr double kLeastColumn = 180.0;
   constexpr double kLeastTimeline = 64.0;
   const auto ask = [&](Splitter splitter, const kit::Edit<double>& edit) {
     if (edit.is_changed) asked.emplace_back(actions::MoveSplitter{splitter, edit.value / scale});

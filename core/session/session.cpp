@@ -93,7 +93,9 @@ void Session::Implementation::poll(double elapsed_s) {
   }
   constexpr double kInfoShownS =
       10.0;  // what has gone well is read once, all else stays until it is dismissed
-  for (Notice& notice : notices) notice.shown_s += elapsed_s;
+  if (playback.is_playing || !is_busy()) {  // who waits for work looks elsewhere
+    for (Notice& notice : notices) notice.shown_s += elapsed_s;
+  }
   std::erase_if(notices, [](const Notice& notice) {
     return notice.kind == Notice::Kind::kInfo && !notice.remedy && notice.shown_s > kInfoShownS;
   });

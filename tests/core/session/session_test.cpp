@@ -229,5 +229,17 @@ TEST_F(SessionTest, AsksTheShellToQuit) {
   EXPECT_THAT(session_->take_effects(), IsEmpty()) << "once";
 }
 
+TEST_F(SessionTest, PutsAwayWhatWentWellByItselfAndFaultsOnlyWhenTold) {
+  session_->notify(Notice::Kind::kInfo, "a.svg was written");
+  session_->notify(Notice::Kind::kError, "b.svg could not be written");
+  session_->poll(6.0);
+  EXPECT_EQ(session_->notices().size(), 2U);
+  session_->poll(6.0);
+  ASSERT_EQ(session_->notices().size(), 1U);
+  EXPECT_EQ(session_->notices().front().text, "b.svg could not be written");
+  session_->poll(1000.0);
+  EXPECT_EQ(session_->notices().size(), 1U);
+}
+
 }  // namespace
 }  // namespace nadir
