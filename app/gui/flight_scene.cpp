@@ -2,6 +2,7 @@
 #include "app/gui/flight_scene.h"
 
 #include "core/eval/evaluated_step.h"
+#include "core/session/step_pose.h"
 #include "widgets/figures/flight_moments.h"
 
 namespace nadir {
@@ -51,9 +52,7 @@ Result<void> FlightScene::show(const std::shared_ptr<const RunStep>& step,
   is_changed_ = true;
   pose_in_enu_.reset();
   if (step) {
-    if (laid_at == PoseSource::kEstimate) pose_in_enu_ = step->estimate.moments.mean;
-    if (laid_at == PoseSource::kTruth) pose_in_enu_ = step->truth_in_enu;
-    if (laid_at == PoseSource::kOdometry) pose_in_enu_ = step->odometry_in_enu;
+    pose_in_enu_ = pose_of(*step, laid_at);
     if (pose_in_enu_ && !is_finite(*pose_in_enu_)) pose_in_enu_.reset();
   }
   seen_ = camera;

@@ -7,6 +7,7 @@
 
 #include "core/eval/evaluated_step.h"
 #include "core/mcl/cell_agreement.h"
+#include "core/session/step_pose.h"
 #include "core/topview/semantic_topview.h"
 #include "widgets/views/raster_pictures.h"
 
@@ -19,18 +20,6 @@ constexpr int kTilesAFrame = 3;
 Eigen::Vector2d centre_of(const OverheadTiles& tiles) {
   return tiles.top_left_in_enu_m() +
          tiles.metres_per_cell() / 2.0 * Eigen::Vector2d(tiles.width(), -tiles.height());
-}
-
-std::optional<Rigid2> pose_at(const RunStep& step, PoseSource source) {
-  switch (source) {
-    case PoseSource::kTruth:
-      return step.truth_in_enu;
-    case PoseSource::kOdometry:
-      return step.odometry_in_enu;
-    case PoseSource::kEstimate:
-      break;
-  }
-  return step.estimate.moments.mean;
 }
 
 /// Costs from west to east and from north to south; cheap is light. The scale is the plane's own.
@@ -141,7 +130,7 @@ void GroundPicture::show_layers(const MapLook& look) {
 
 void GroundPicture::show_topview(const GroundContents& contents) {
   const RunStep* const step = contents.step.get();
-  const auto pose = step != nullptr ? pose_at(*step, contents.look.topview_at) : std::nullopt;
+  const auto pose = step != nullptr ? pose_of(*step, contents.look.topview_at) : std::nullopt;
   const bool has_topview =
       pose && is_finite(*pose) && step->topview && !step->topview->cells.empty();
   const bool shows_classes = has_topview && contents.look.layer(Layer::kTopview).is_visible;

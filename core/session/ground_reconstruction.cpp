@@ -12,6 +12,7 @@
 
 #include "core/eval/evaluated_step.h"
 #include "core/run/run_file.h"
+#include "core/session/step_pose.h"
 #include "core/topview/semantic_reconstruction.h"
 
 namespace nadir {
@@ -22,12 +23,6 @@ using Clock = std::chrono::steady_clock;
 bool is_of_one_run(const ReconstructionQuestion& a, const ReconstructionQuestion& b) {
   return a.run && b.run && a.run->path == b.run->path && a.run->file == b.run->file &&
          a.poses == b.poses;
-}
-
-std::optional<Rigid2> pose_for(const RunStep& step, PoseSource source) {
-  if (source == PoseSource::kTruth) return step.truth_in_enu;
-  if (source == PoseSource::kOdometry) return step.odometry_in_enu;
-  return step.estimate.moments.mean;
 }
 
 /// What the thread has laid so far.
@@ -51,7 +46,7 @@ class Laying {
     const auto step = reader_->step(run.steps[next_].step);
     if (!step) return forward_error(step);
     ++next_;
-    const auto pose = pose_for(*step, question_.poses);
+    const auto pose = pose_of(*step, question_.poses);
     if (!step->topview || step->topview->cells.empty() || !pose || !is_finite(*pose)) return {};
     if (!seen_) seen_.emplace(step->topview->metres_per_cell);
     seen_->add(*step->topview, *pose);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/session/step_pose.h"
 #include "widgets/panels/map_view.h"
 #include "widgets/views/legend.h"
 #include "widgets/views/map_overlays.h"
@@ -44,8 +45,6 @@ void draw_map_legend(Canvas& canvas,
 
 /// Whether lines lie on pictures or labels, or on the plain window.
 [[nodiscard]] bool has_ground_picture(const MapViewModel& model);
-/// The pose of a source at a step; nothing where it is not known.
-[[nodiscard]] std::optional<Rigid2> pose_of(const RunStep& step, PoseSource source);
 /// The layer that shows a source's path.
 [[nodiscard]] Layer layer_of_source(PoseSource source);
 /// The colour with its own opacity times a share.

@@ -28,18 +28,6 @@ bool has_ground_picture(const MapViewModel& model) {
   return model.map != nullptr && (shows(Layer::kPicture) || shows(Layer::kLabels));
 }
 
-std::optional<Rigid2> pose_of(const RunStep& step, PoseSource source) {
-  switch (source) {
-    case PoseSource::kTruth:
-      return step.truth_in_enu;
-    case PoseSource::kOdometry:
-      return step.odometry_in_enu;
-    case PoseSource::kEstimate:
-      break;
-  }
-  return step.estimate.moments.mean;
-}
-
 std::optional<Rgba> colour_from_hex(const std::string& text) {
   if (text.size() != 7 || text.front() != '#') return std::nullopt;
   std::uint32_t value = 0;
