@@ -8,6 +8,7 @@
 #include "core/base/require.h"
 #include "core/base/staged_output.h"
 #include "core/flight/grey_image.h"
+#include "core/topview/camera_model.h"
 
 namespace nadir {
 namespace {
@@ -15,7 +16,6 @@ namespace {
 using Bytes = std::span<const std::uint8_t>;
 
 constexpr std::uintmax_t kLargestFile = 1U << 30U;
-constexpr int kLargestSide = 16384;  // As for a CameraModel.
 constexpr int kQuality = 85;
 
 /// Whether a JPEG marker begins a frame header (SOF0 to SOF15; three numbers among them mean
@@ -47,7 +47,7 @@ Result<void> check_jpeg(Bytes bytes, const std::string& name) {
       const int height = number_at(at + 5);
       const int width = number_at(at + 7);
       has_size = true;
-      if (width < 1 || height < 1 || width > kLargestSide || height > kLargestSide) {
+      if (width < 1 || height < 1 || width > kLargestImageSide || height > kLargestImageSide) {
         return fail(ErrorCode::kMalformed, "{}: cannot be {} x {} pixels", name, width, height);
       }
     }

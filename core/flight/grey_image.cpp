@@ -5,13 +5,15 @@
 #include <array>
 #include <string_view>
 
+#include "core/topview/camera_model.h"
+
 namespace nadir {
 namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
 constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-constexpr std::uint32_t kLargestSide = 16384;  // As for a CameraModel.
+constexpr std::uint32_t kLargestSide = kLargestImageSide;
 
 /// The checksum of PNG, annex D of ISO/IEC 15948: polynomial 0xEDB88320, a table of 256 words.
 constexpr std::array<std::uint32_t, 256> make_crc_table() {
@@ -155,7 +157,7 @@ Result<GreyImageHeader> check_pgm(Bytes bytes, const std::string& name) {
   constexpr std::array<std::string_view, 3> kNames{"width", "height", "largest value"};
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto number = next_number(bytes, at);
-    const int largest = i == 2 ? 65535 : static_cast<int>(kLargestSide);
+    const int largest = i == 2 ? 65535 : kLargestImageSide;
     if (!number || *number < 1 || *number > largest) {
       return fail(ErrorCode::kMalformed, "{}: has no valid {} in its PGM header", name, kNames[i]);
     }

@@ -18,7 +18,7 @@ constexpr std::uintmax_t kLargestList = 256U << 20U;
 constexpr std::uintmax_t kLargestImage = 1U << 30U;
 
 /// A list of the folder with its files' names made whole; empty where the flight has no such list.
-struct Stream {
+struct FrameStream {
   std::vector<ListedFile> files;
   std::vector<fs::path> paths;
 
@@ -29,16 +29,16 @@ struct Stream {
   }
 };
 
-Result<Stream> read_stream(const fs::path& folder, const char* list_name) {
+Result<FrameStream> read_stream(const fs::path& folder, const char* list_name) {
   const fs::path list = folder / list_name;
   std::error_code error;
-  if (!fs::exists(list, error)) return Stream{};
+  if (!fs::exists(list, error)) return FrameStream{};
   const auto text = read_text_file(list, kLargestList);
   if (!text) return forward_error(text);
   auto files = parse_frame_list(*text, list.string());
   if (!files) return forward_error(files);
 
-  Stream stream{*std::move(files), {}};
+  FrameStream stream{*std::move(files), {}};
   stream.paths.reserve(stream.files.size());
   for (const ListedFile& listed : stream.files) {
     const auto path = path_inside(folder, listed.file);
@@ -65,10 +65,12 @@ Result<std::optional<Trajectory>> read_poses(const fs::path& path) {
 }
 
 /// The frames are those of the first list that is there; the others are looked up by time.
-std::vector<FlightFrame> associate(const Stream& images,
-                                   const Stream& depth,
-                                   const Stream& labels) {
-  const Stream& leading = !labels.files.empty() ? labels : !images.files.empty() ? images : depth;
+std::vector<FlightFrame> associate(const FrameStream& images,
+                                   const FrameStream& depth,
+                                   const FrameStream& labels) {
+  const FrameStream& leading = !labels.files.empty()   ? labels
+                               : !images.files.empty() ? images
+                                                       : depth;
   const double tolerance_s = association_tolerance_s(leading.files);
   std::vector<FlightFrame> frames;
   frames.reserve(leading.files.size());

@@ -15,11 +15,10 @@ CameraModel CameraModel::from_horizontal_view(int width, int height, double view
 }
 
 Result<void> validate(const CameraModel& camera) {
-  constexpr int kMaxSide = 16384;
-  const auto is_side = [](int side) { return side >= 1 && side <= kMaxSide; };
+  const auto is_side = [](int side) { return side >= 1 && side <= kLargestImageSide; };
   if (!is_side(camera.width) || !is_side(camera.height)) {
     return fail(ErrorCode::kInvalidOptions, "camera: size {} x {} is not in [1, {}] pixels",
-                camera.width, camera.height, kMaxSide);
+                camera.width, camera.height, kLargestImageSide);
   }
   const auto is_focal = [](double focal_px) { return std::isfinite(focal_px) && focal_px > 0.0; };
   if (!is_focal(camera.focal_x_px) || !is_focal(camera.focal_y_px)) {

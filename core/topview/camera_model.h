@@ -7,6 +7,9 @@
 
 namespace nadir {
 
+/// No image, and no camera, is wider or higher: a damaged header does not make us ask for gigabytes.
+inline constexpr int kLargestImageSide = 16384;
+
 /// Pinhole camera without distortion. Pixel centres are at +0.5, so the image spans [0, width] x
 /// [0, height]. `camera` has x right, y down, z forward; depth is along z.
 struct CameraModel {
@@ -33,7 +36,7 @@ struct CameraModel {
   }
 };
 
-/// @errors kInvalidOptions: sizes outside [1, 16384], focal lengths that are not positive, NaN.
+/// @errors kInvalidOptions: sizes outside [1, kLargestImageSide], focal lengths that are not positive, NaN.
 [[nodiscard]] Result<void> validate(const CameraModel& camera);
 
 }  // namespace nadir
