@@ -25,10 +25,10 @@ endif()
 # Fused multiply-add would make results depend on the instruction set that a function was compiled for.
 add_compile_options(-ffp-contract=off)
 
-# For tests: what they check is built with optimisation, they themselves compile in half the time without where a sanitizer
-# makes code long.
-function(nadir_plain_if_sanitized target)
-  if(NADIR_SANITIZE)
+# For tests where everything is built from nothing: what they check is optimised, they themselves compile in two thirds of
+# the time without.
+function(nadir_plain_if_united target)
+  if(NADIR_UNITE_SOURCES)
     target_compile_options(${target} PRIVATE -O0)
   endif()
 endfunction()
@@ -39,6 +39,13 @@ function(nadir_warnings target)
     $<$<BOOL:${NADIR_WARNINGS_ARE_ERRORS}>:-Werror>
     # A type of one source's own looks like a header's where sources are united.
     $<$<AND:$<BOOL:${NADIR_UNITE_SOURCES}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>)
+endfunction()
+
+# Several sources in one: headers are read once for all of them.
+function(nadir_unite_sources target)
+  if(NADIR_UNITE_SOURCES)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${NADIR_UNITE_SOURCES})
+  endif()
 endfunction()
 
 # nadir_add_module(core/mcl SOURCES a.cpp DEPENDS core/map PUBLIC_LIBRARIES x PRIVATE_LIBRARIES y)
@@ -57,8 +64,7 @@ function(nadir_add_module path)
   endforeach()
   target_link_libraries(${name} PUBLIC ${MODULE_PUBLIC_LIBRARIES} PRIVATE ${MODULE_PRIVATE_LIBRARIES})
   nadir_warnings(${name})
-  # Several sources in one: headers are read once for all of them.
-  set_target_properties(${name} PROPERTIES UNITY_BUILD ${NADIR_UNITE_SOURCES} UNITY_BUILD_BATCH_SIZE 6)
+  nadir_unite_sources(${name})
   if(path MATCHES "^core/")  # what is installed as nadir::core
     set_property(GLOBAL APPEND PROPERTY NADIR_MODULES ${name})
   endif()
@@ -72,12 +78,15 @@ function(nadir_add_test path)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${TEST_DEPENDS} GTest::gmock GTest::gtest_main)
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-  target_precompile_headers(${name} REUSE_FROM test_headers)
   nadir_warnings(${name})
-  nadir_plain_if_sanitized(${name})
   if(NOT TEST_LABELS)
     set(TEST_LABELS unit)
   endif()
+  if(NOT "slow" IN_LIST TEST_LABELS)  # those compute much themselves
+    target_precompile_headers(${name} REUSE_FROM test_headers)
+    nadir_plain_if_united(${name})
+  endif()
+  nadir_unite_sources(${name})
   if("unit" IN_LIST TEST_LABELS)  # what AddressSanitizer looks at
     add_dependencies(unit_tests ${name})
   endif()

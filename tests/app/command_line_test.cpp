@@ -8,7 +8,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace command_line_test {
 
 using testing::HasSubstr;
 
@@ -63,5 +63,5 @@ TEST(FindBundled, FindsTheTownFromAnywhereButPrefersWhatIsThere) {
   EXPECT_EQ(cli::find_bundled(scratch.path()), scratch.path());
 }
 
-}  // namespace
+}  // namespace command_line_test
 }  // namespace nadir

@@ -10,7 +10,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace demo_command_test {
 
 namespace fs = std::filesystem;
 
@@ -76,5 +76,5 @@ TEST(DemoCommandDeathTest, IsStoppedByCtrlCFromItsFirstFileOnAndLeavesNothingHal
   EXPECT_EXIT(interrupted_demo(scratch.path() / "demo"), testing::ExitedWithCode(1), "was stopped");
 }
 
-}  // namespace
+}  // namespace demo_command_test
 }  // namespace nadir

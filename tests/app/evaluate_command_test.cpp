@@ -14,7 +14,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace evaluate_command_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -261,5 +261,5 @@ TEST_F(EvaluateCommand, ExitsWithTwoWhereItIsMisused) {
   EXPECT_EQ(run_program({"evaluate", "--help"}).status, 0);
 }
 
-}  // namespace
+}  // namespace evaluate_command_test
 }  // namespace nadir

@@ -5,7 +5,7 @@
 #include "widgets/canvas/png_file.h"
 
 namespace nadir {
-namespace {
+namespace figure_command_test {
 
 namespace fs = std::filesystem;
 
@@ -205,5 +205,5 @@ TEST_F(FigureCommand, ExplainsItsOptionsOnTheHelpPage) {
   EXPECT_THAT(help.out, Not(HasSubstr("{true|false}")));
 }
 
-}  // namespace
+}  // namespace figure_command_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "tests/core/flight/flight_fixtures.h"
 
 namespace nadir::cli {
-namespace {
+namespace flight_command_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -101,5 +101,5 @@ TEST(FlightInfo, MisuseIsStatus2AndHelpIs0) {
   EXPECT_EQ(run({"--help"}).status, kDone);
 }
 
-}  // namespace
+}  // namespace flight_command_test
 }  // namespace nadir::cli

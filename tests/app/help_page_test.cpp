@@ -10,7 +10,7 @@
 #include "tests/app/program.h"
 
 namespace nadir {
-namespace {
+namespace help_page_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -109,5 +109,5 @@ TEST(HelpPage, BreaksLinesBetweenWordsBelowTheFirst) {
             "The end\n");
 }
 
-}  // namespace
+}  // namespace help_page_test
 }  // namespace nadir

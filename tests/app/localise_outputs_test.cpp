@@ -16,7 +16,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace localise_outputs_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -208,5 +208,5 @@ TEST_F(StoppedRun, SaysNothingOfARunBeforeWhereThereWasNone) {
   EXPECT_EQ(files_named("alone"), 1);
 }
 
-}  // namespace
+}  // namespace localise_outputs_test
 }  // namespace nadir

@@ -11,7 +11,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir::cli {
-namespace {
+namespace map_command_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -119,5 +119,5 @@ TEST_F(MapCommand, ImportMakesAPackageThatInfoReads) {
   EXPECT_EQ(json["classes"][0]["cells"], 4);
 }
 
-}  // namespace
+}  // namespace map_command_test
 }  // namespace nadir::cli

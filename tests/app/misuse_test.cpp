@@ -9,7 +9,7 @@
 #include "tests/app/program.h"
 
 namespace nadir {
-namespace {
+namespace misuse_test {
 
 /// Nothing on standard output, and one sentence by `command` that holds `complaint` and says where help is.
 void expect_refused(const std::vector<std::string>& words,
@@ -145,5 +145,5 @@ TEST(BlameFile, MakesAWrongOptionAFaultOfTheFileAndLeavesOtherFaultsAlone) {
   EXPECT_EQ(cli::blame_file({ErrorCode::kNotFound, "r.toml: x"}).code, ErrorCode::kNotFound);
 }
 
-}  // namespace
+}  // namespace misuse_test
 }  // namespace nadir

@@ -12,7 +12,7 @@
 #include "tests/widgets/figures/recorded_flight.h"
 
 namespace nadir {
-namespace {
+namespace no_graphics_test {
 
 namespace fs = std::filesystem;
 
@@ -104,5 +104,5 @@ TEST_F(NoGraphicsDeathTest, TheDemoSaysThatItsMapsCannotBeDrawn) {
   EXPECT_EXIT(run_demo(), testing::ExitedWithCode(1), "^nadir: no OpenGL for [^\n]*\n$");
 }
 
-}  // namespace
+}  // namespace no_graphics_test
 }  // namespace nadir

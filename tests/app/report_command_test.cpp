@@ -4,7 +4,7 @@
 #include "tests/app/drawn_run.h"
 
 namespace nadir {
-namespace {
+namespace report_command_test {
 
 using testing::EndsWith;
 using testing::HasSubstr;
@@ -38,5 +38,5 @@ TEST_F(ReportCommand, NamesTheRunThatIsNotThere) {
   EXPECT_FALSE(exists("out"));
 }
 
-}  // namespace
+}  // namespace report_command_test
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include "tests/app/drawn_run.h"
 
 namespace nadir {
-namespace {
+namespace report_program_test {
 
 namespace fs = std::filesystem;
 
@@ -39,5 +39,5 @@ TEST_F(ReportProgram, WritesTheSameBytesTwiceWithoutDisplayAndEnvironment) {
             static_cast<std::ptrdiff_t>(files));
 }
 
-}  // namespace
+}  // namespace report_program_test
 }  // namespace nadir

@@ -8,7 +8,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace simulate_command_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -74,5 +74,5 @@ TEST_F(SimulateCommand, FailsWhereTheRouteLeadsOffTheMapThoughTheFlagsAreFine) {
   expect_refused({"--route", route, "--quiet"}, "far", 1);
 }
 
-}  // namespace
+}  // namespace simulate_command_test
 }  // namespace nadir

@@ -8,7 +8,7 @@
 #include "core/base/parallel.h"
 
 namespace nadir::town {
-namespace {
+namespace ground_test {
 
 using ::testing::ElementsAre;
 
@@ -138,5 +138,5 @@ TEST(Ground, IsTheSameOnOneAndOnSeveralThreads) {
   EXPECT_EQ(alone.surface, draw_ground(small_town()).surface);
 }
 
-}  // namespace
+}  // namespace ground_test
 }  // namespace nadir::town

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 namespace nadir::town {
-namespace {
+namespace markings_test {
 
 using ::testing::SizeIs;
 
@@ -98,5 +98,5 @@ TEST(PaintedShapes, ArrowsPointWhereTheirLaneGoes) {
   EXPECT_FALSE(is_painted(shapes, {53.0, 1.2}));
 }
 
-}  // namespace
+}  // namespace markings_test
 }  // namespace nadir::town

@@ -7,7 +7,7 @@
 #include "maps/draw/painting.h"
 
 namespace nadir::town {
-namespace {
+namespace picture_test {
 
 /// The middle of the proving ground, small enough to be drawn twice.
 TownLayout middle_of_town() {
@@ -212,5 +212,5 @@ TEST(Wear, OnlyRoadsCrack) {
   EXPECT_GT(changed, 100);
 }
 
-}  // namespace
+}  // namespace picture_test
 }  // namespace nadir::town

@@ -12,7 +12,7 @@
 #include "maps/draw/ground.h"
 
 namespace nadir::town {
-namespace {
+namespace proving_ground_test {
 
 using ::testing::ElementsAre;
 
@@ -194,5 +194,5 @@ TEST_F(ProvingGround, PictureLiesOnItsLabels) {
   }
 }
 
-}  // namespace
+}  // namespace proving_ground_test
 }  // namespace nadir::town

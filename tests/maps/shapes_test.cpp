@@ -9,7 +9,7 @@
 #include "maps/draw/ground.h"
 
 namespace nadir::town {
-namespace {
+namespace shapes_test {
 
 using ::testing::DoubleNear;
 
@@ -120,5 +120,5 @@ TEST(RoundedUnion, LeavesTheRoadsAloneAwayFromTheCorner) {
   EXPECT_EQ(rounded_union(9.0, 6.0, 5.0), 6.0);
 }
 
-}  // namespace
+}  // namespace shapes_test
 }  // namespace nadir::town

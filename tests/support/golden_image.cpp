@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "widgets/canvas/png_file.h"
+#include "tests/support/small_png.h"
 
 namespace nadir {
 namespace {
@@ -86,7 +86,7 @@ bool write_png(const std::filesystem::path& path, const Raster<Rgba>& pixels) {
   std::error_code error;
   std::filesystem::create_directories(path.parent_path(), error);
   std::ofstream file(path, std::ios::binary);
-  file << encode_png(pixels);
+  file << small_png(pixels);
   file.close();
   return !file.fail();
 }

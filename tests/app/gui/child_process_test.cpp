@@ -10,7 +10,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace child_process_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -80,5 +80,5 @@ TEST(ChildProcess, KnowsItsOwnProgram) {
   EXPECT_THAT(own_program().filename().string(), HasSubstr("test"));
 }
 
-}  // namespace
+}  // namespace child_process_test
 }  // namespace nadir

@@ -8,7 +8,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace gui_script_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -116,5 +116,5 @@ TEST_F(GuiScriptTest, ResizesTheScreen) {
   EXPECT_EQ(screen_.input().size_px, Eigen::Vector2d(960.0, 600.0));
 }
 
-}  // namespace
+}  // namespace gui_script_test
 }  // namespace nadir

@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace nadir {
-namespace {
+namespace angle_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -58,5 +58,5 @@ TEST(CompassDegFromYaw, AHairWestOfNorthIsStillBelowAWholeTurn) {
   EXPECT_LT(compass_deg_from_yaw(Angle::radians(std::nextafter(kPi / 2.0, 2.0))), 360.0);
 }
 
-}  // namespace
+}  // namespace angle_test
 }  // namespace nadir

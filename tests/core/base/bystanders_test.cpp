@@ -8,7 +8,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace bystanders_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -64,5 +64,5 @@ TEST(Bystanders, OfAFolderThatIsNotThereAreNone) {
   EXPECT_THAT(abandoned_bystanders(folder.path() / "none" / "run.nadir", ".partial-"), IsEmpty());
 }
 
-}  // namespace
+}  // namespace bystanders_test
 }  // namespace nadir

@@ -11,7 +11,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir::detail {
-namespace {
+namespace durability_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -118,5 +118,5 @@ TEST_F(TwoFolders, WhatACrashLeftAsideIsNeitherReplacedNorInTheWay) {
   EXPECT_EQ(content(old_folder), "new");
 }
 
-}  // namespace
+}  // namespace durability_test
 }  // namespace nadir::detail

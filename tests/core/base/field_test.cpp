@@ -16,7 +16,7 @@ struct EnumNames<Colour> {
   static constexpr std::array<std::string_view, 2> kNames = {"red", "green"};
 };
 
-namespace {
+namespace field_test {
 
 using testing::HasSubstr;
 
@@ -202,5 +202,5 @@ TEST(OwnText, IsReadCheckedAndWritten) {
   EXPECT_EQ(error_text(validate(options)), "--share: 9:8 is more than all");
 }
 
-}  // namespace
+}  // namespace field_test
 }  // namespace nadir

@@ -12,7 +12,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace job_test {
 
 using ::testing::HasSubstr;
 
@@ -211,5 +211,5 @@ TEST(Job, TakesSnapshotsAndReportsFromSeveralThreadsWhileItIsPolled) {
   EXPECT_EQ(*job.latest() % kEach, 0) << "the last of one of the threads";
 }
 
-}  // namespace
+}  // namespace job_test
 }  // namespace nadir

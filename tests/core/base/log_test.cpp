@@ -9,7 +9,7 @@
 #include "tests/support/collected_log.h"
 
 namespace nadir {
-namespace {
+namespace log_test {
 
 using ::testing::ElementsAre;
 
@@ -84,5 +84,5 @@ TEST(Log, LosesNothingOfSeveralThreads) {
   EXPECT_EQ(count, 2000);
 }
 
-}  // namespace
+}  // namespace log_test
 }  // namespace nadir

@@ -13,7 +13,7 @@
 #include <vector>
 
 namespace nadir {
-namespace {
+namespace parallel_test {
 
 using testing::ElementsAre;
 using Range = std::pair<std::size_t, std::size_t>;
@@ -120,5 +120,5 @@ TEST(ThreadLimit, ANegativeNumberIsABugOfTheCaller) {
   EXPECT_THROW(ThreadLimit(-1), std::logic_error);
 }
 
-}  // namespace
+}  // namespace parallel_test
 }  // namespace nadir

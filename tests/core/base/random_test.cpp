@@ -11,7 +11,7 @@
 #include "core/base/parallel.h"
 
 namespace nadir {
-namespace {
+namespace random_test {
 
 using testing::ElementsAre;
 
@@ -156,5 +156,5 @@ TEST(StandardNormals, DoNotDependOnTheThreadThatDrawsThem) {
   EXPECT_EQ(drawn_on(1), drawn_on(4));
 }
 
-}  // namespace
+}  // namespace random_test
 }  // namespace nadir

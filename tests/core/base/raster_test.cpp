@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 namespace nadir {
-namespace {
+namespace raster_test {
 
 using testing::ElementsAre;
 
@@ -57,5 +57,5 @@ TEST(Raster, EqualsAnotherOfTheSameShapeAndValues) {
   EXPECT_FALSE(Raster<int>(2, 3, 1) == Raster<int>(2, 3, 2));
 }
 
-}  // namespace
+}  // namespace raster_test
 }  // namespace nadir

@@ -11,7 +11,7 @@
 #include "core/base/require.h"
 
 namespace nadir {
-namespace {
+namespace result_test {
 
 Result<int> failing() { return fail(ErrorCode::kMalformed, "{}: line {} is wrong", "a.tum", 7); }
 
@@ -65,5 +65,5 @@ TEST(WorkContext, ReportsAndIsStopped) {
   EXPECT_TRUE(context.is_stopped());
 }
 
-}  // namespace
+}  // namespace result_test
 }  // namespace nadir

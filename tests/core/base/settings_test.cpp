@@ -7,7 +7,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace settings_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -194,5 +194,5 @@ TEST(NearestWord, IsSilentWhereNoneIsNear) {
   EXPECT_EQ(nearest_word("classes", {"closed"}), "");
 }
 
-}  // namespace
+}  // namespace settings_test
 }  // namespace nadir

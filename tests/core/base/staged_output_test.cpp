@@ -15,7 +15,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace staged_output_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -382,5 +382,5 @@ TEST(StagedOutput, LeavesAFolderAloneThatHoldsMoreThanItsOwnEntriesAndNamesIt) {
   EXPECT_TRUE(StagedOutput::folder(folder.path() / "flight", "flight.toml").has_value());
 }
 
-}  // namespace
+}  // namespace staged_output_test
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace nadir {
-namespace {
+namespace convergence_test {
 
 /// A flight straight east, 1 m and 0.5 s a step, whose error is north of the truth.
 std::vector<EvaluatedStep> flight_with_errors(const std::vector<double>& errors_m) {
@@ -111,5 +111,5 @@ TEST(Convergence, StepsWithoutTruthOrWithBrokenCovarianceDoNotConverge) {
   EXPECT_EQ(result.after_m, 4.0) << "from the first truth";
 }
 
-}  // namespace
+}  // namespace convergence_test
 }  // namespace nadir

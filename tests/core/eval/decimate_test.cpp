@@ -11,7 +11,7 @@
 #include "core/eval/series.h"
 
 namespace nadir {
-namespace {
+namespace decimate_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -181,5 +181,5 @@ TEST(DecimateMinMax, RefusesWhatIsNoLine) {
   EXPECT_THROW(decimate({-1e308, 1e308}, 2, 1), std::logic_error);
 }
 
-}  // namespace
+}  // namespace decimate_test
 }  // namespace nadir

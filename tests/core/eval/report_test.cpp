@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace nadir {
-namespace {
+namespace report_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -222,5 +222,5 @@ TEST(TextReport, HasTheErrorsOfARunWhoseOdometryIsNotInThePlane) {
   EXPECT_THAT(text, HasSubstr("converged      after 0.0 s"));
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace nadir {
-namespace {
+namespace run_evaluation_test {
 
 using testing::HasSubstr;
 
@@ -133,5 +133,5 @@ TEST(Alignment, NamesAreThoseOfTheCommandLine) {
   EXPECT_FALSE(alignment_from_name("SE3"));
 }
 
-}  // namespace
+}  // namespace run_evaluation_test
 }  // namespace nadir

@@ -14,7 +14,7 @@
 #include "core/eval/trajectory_error.h"
 
 namespace nadir {
-namespace {
+namespace series_test {
 
 using testing::DoubleEq;
 using testing::DoubleNear;
@@ -247,5 +247,5 @@ TEST(LowerMedian, IsTheMiddleOneOrTheLowerOfTwo) {
   EXPECT_THROW((void)lower_median({}), std::logic_error);
 }
 
-}  // namespace
+}  // namespace series_test
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace nadir {
-namespace {
+namespace trajectory_error_test {
 
 using testing::DoubleNear;
 using testing::ElementsAre;
@@ -128,5 +128,5 @@ TEST(RelativeError, SeesTheTurnPerMetreAndNotAConstantOffset) {
   EXPECT_GT(summary->position_m.mean, 400.0);
 }
 
-}  // namespace
+}  // namespace trajectory_error_test
 }  // namespace nadir

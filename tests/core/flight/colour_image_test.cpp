@@ -9,7 +9,7 @@
 #include "tests/core/flight/flight_fixtures.h"
 
 namespace nadir {
-namespace {
+namespace colour_image_test {
 
 using test::message_of;
 using testing::HasSubstr;
@@ -115,5 +115,5 @@ TEST(ColourImage, IsReadFromAFileByName) {
   EXPECT_EQ(missing.error().code, ErrorCode::kNotFound);
 }
 
-}  // namespace
+}  // namespace colour_image_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "tests/core/flight/flight_fixtures.h"
 
 namespace nadir {
-namespace {
+namespace flight_data_test {
 
 using test::message_of;
 
@@ -113,5 +113,5 @@ TEST_F(RealFlight, LogsOfOtherProgramsAreRefusedInOneSentence) {
   }
 }
 
-}  // namespace
+}  // namespace flight_data_test
 }  // namespace nadir

@@ -6,7 +6,7 @@
 #include "tests/core/flight/flight_fixtures.h"
 
 namespace nadir {
-namespace {
+namespace flight_settings_test {
 
 using test::message_of;
 using testing::HasSubstr;
@@ -162,5 +162,5 @@ TEST(FlightSettings, RefuseAnOriginThatIsNowhere) {
               HasSubstr("f.toml: truth"));
 }
 
-}  // namespace
+}  // namespace flight_settings_test
 }  // namespace nadir

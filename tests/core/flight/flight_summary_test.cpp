@@ -9,7 +9,7 @@
 #include "tests/core/flight/flight_fixtures.h"
 
 namespace nadir {
-namespace {
+namespace flight_summary_test {
 
 using test::small_camera;
 using test::straight_path;
@@ -299,5 +299,5 @@ TEST(FlightSummary, OfNothingAtAllIsEmpty) {
   EXPECT_THAT(summary.notices, Not(IsEmpty()));
 }
 
-}  // namespace
+}  // namespace flight_summary_test
 }  // namespace nadir

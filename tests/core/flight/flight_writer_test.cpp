@@ -12,7 +12,7 @@
 #include "tests/core/flight/flight_fixtures.h"
 
 namespace nadir {
-namespace {
+namespace flight_writer_test {
 
 namespace fs = std::filesystem;
 using test::message_of;
@@ -355,5 +355,5 @@ TEST(EncodeFrame, RefusesWhatCouldNotBeReadBack) {
   EXPECT_FALSE(encode_frame(small_frame(std::numeric_limits<double>::quiet_NaN())));
 }
 
-}  // namespace
+}  // namespace flight_writer_test
 }  // namespace nadir

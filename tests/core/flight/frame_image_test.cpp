@@ -10,7 +10,7 @@
 #include "tests/core/flight/flight_fixtures.h"
 
 namespace nadir {
-namespace {
+namespace frame_image_test {
 
 using test::bytes_of;
 using test::kHeight;
@@ -170,5 +170,5 @@ TEST(EncodeImage, EmptyRastersAreABugOfTheCaller) {
   EXPECT_THROW((void)encode_depth_png({}), std::logic_error);
 }
 
-}  // namespace
+}  // namespace frame_image_test
 }  // namespace nadir

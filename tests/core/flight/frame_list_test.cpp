@@ -7,7 +7,7 @@
 #include "tests/core/flight/flight_fixtures.h"
 
 namespace nadir {
-namespace {
+namespace frame_list_test {
 
 using test::message_of;
 
@@ -135,5 +135,5 @@ TEST(AssociationTolerance, IsHalfAPeriodUpTo20Milliseconds) {
   EXPECT_NEAR(association_tolerance_s(files_at({0.0, 0.01, 0.02, 5.0})), 0.005, 1e-12);
 }
 
-}  // namespace
+}  // namespace frame_list_test
 }  // namespace nadir

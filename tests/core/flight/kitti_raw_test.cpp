@@ -8,7 +8,7 @@
 #include "tests/core/flight/flight_fixtures.h"
 
 namespace nadir {
-namespace {
+namespace kitti_raw_test {
 
 using test::message_of;
 using testing::EndsWith;
@@ -302,5 +302,5 @@ TEST_F(KittiRawDrive, NamesWhatIsMissingOrWrong) {
   EXPECT_FALSE(open());
 }
 
-}  // namespace
+}  // namespace kitti_raw_test
 }  // namespace nadir

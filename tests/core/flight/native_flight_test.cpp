@@ -7,7 +7,7 @@
 #include "tests/core/flight/flight_fixtures.h"
 
 namespace nadir {
-namespace {
+namespace native_flight_test {
 
 namespace fs = std::filesystem;
 using test::message_of;
@@ -246,5 +246,5 @@ TEST_F(NativeFlight, ABrokenTomlFileIsNamed) {
   EXPECT_THAT(fault(), HasSubstr("flight.toml: line 1"));
 }
 
-}  // namespace
+}  // namespace native_flight_test
 }  // namespace nadir

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace nadir {
-namespace {
+namespace nearest_frame_test {
 
 TEST(NearestFrame, IsWithinATenthOfASecondAndHasWhatIsWanted) {
   FlightDescription flight;
@@ -47,5 +47,5 @@ TEST(NearestFrame, IsTheOneThatALookAtEveryFrameFinds) {
   }
 }
 
-}  // namespace
+}  // namespace nearest_frame_test
 }  // namespace nadir

@@ -5,7 +5,7 @@
 #include "tests/core/flight/flight_fixtures.h"
 
 namespace nadir {
-namespace {
+namespace open_flight_test {
 
 using test::message_of;
 using testing::EndsWith;
@@ -131,5 +131,5 @@ TEST(OpenFlight, TheNativeFormatComesFirst) {
   EXPECT_EQ((*open_flight(folder.path()))->description().format, "nadir flight");
 }
 
-}  // namespace
+}  // namespace open_flight_test
 }  // namespace nadir

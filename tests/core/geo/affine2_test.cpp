@@ -9,7 +9,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace affine2_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -87,5 +87,5 @@ TEST(Affine2, CoordinatesBeyond32BitsKeepTheirMetres) {
   EXPECT_EQ(*pixel_from_plane * Eigen::Vector2d(5e9 + 3.0, -7e9 - 4.0), Eigen::Vector2d(3.0, 4.0));
 }
 
-}  // namespace
+}  // namespace affine2_test
 }  // namespace nadir

@@ -6,7 +6,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace number_lines_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -81,5 +81,5 @@ TEST(NumberLines, CountsLinesAsAnEditorDoes) {
   EXPECT_EQ(lines.where((*line)->line), "drawn.txt: line 4");
 }
 
-}  // namespace
+}  // namespace number_lines_test
 }  // namespace nadir

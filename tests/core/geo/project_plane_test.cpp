@@ -13,7 +13,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace project_plane_test {
 
 using testing::HasSubstr;
 
@@ -231,5 +231,5 @@ TEST(GeodeticText, APlaceThatIsNotOnTheEarthSaysSo) {
   }
 }
 
-}  // namespace
+}  // namespace project_plane_test
 }  // namespace nadir

@@ -10,7 +10,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace recorded_trajectory_data_test {
 
 std::filesystem::path data_folder() {
   // Read before any thread is started.
@@ -127,5 +127,5 @@ TEST_F(RecordedTrajectory, AFileWithoutTimesIsRefusedWithItsReason) {
   EXPECT_THAT(error_text(trajectory), testing::HasSubstr("pose.txt: line 1: has 7 numbers"));
 }
 
-}  // namespace
+}  // namespace recorded_trajectory_data_test
 }  // namespace nadir

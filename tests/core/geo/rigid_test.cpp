@@ -9,7 +9,7 @@
 #include "core/geo/rigid3.h"
 
 namespace nadir {
-namespace {
+namespace rigid_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -134,5 +134,5 @@ TEST(ForwardBodyFromCamera, PutsTheCamerasAxesWhereTheyPoint) {
   EXPECT_EQ(body_from_camera * Eigen::Vector3d::UnitY(), Eigen::Vector3d(0.0, 0.0, -1.0));
 }
 
-}  // namespace
+}  // namespace rigid_test
 }  // namespace nadir

@@ -11,7 +11,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace similarity2_test {
 
 using testing::HasSubstr;
 using Points = std::vector<Eigen::Vector2d>;
@@ -139,5 +139,5 @@ TEST(Similarity2, MovesAPoseWithItsHeading) {
   EXPECT_NEAR(pose.yaw_rad, 3.0 + std::numbers::pi / 2.0 - 2.0 * std::numbers::pi, 1e-14);
 }
 
-}  // namespace
+}  // namespace similarity2_test
 }  // namespace nadir

@@ -12,7 +12,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace trajectory_file_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -233,5 +233,5 @@ TEST(ReadTrajectory, ReadsAnHourAtAHundredHertzInSeconds) {
   EXPECT_LT(elapsed.count(), 5.0);  // generous: sanitizers and busy machines take longer
 }
 
-}  // namespace
+}  // namespace trajectory_file_test
 }  // namespace nadir

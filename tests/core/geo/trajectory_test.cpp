@@ -9,7 +9,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace trajectory_test {
 
 using testing::HasSubstr;
 
@@ -124,5 +124,5 @@ TEST(Trajectory, StaysFiniteBetweenPosesThatAreImmenselyFarApart) {
   EXPECT_TRUE(pose->translation_m.allFinite());
 }
 
-}  // namespace
+}  // namespace trajectory_test
 }  // namespace nadir

@@ -6,7 +6,7 @@
 #include "tests/support/drawn_map.h"
 
 namespace nadir {
-namespace {
+namespace building_contours_test {
 
 Raster<ClassId> contours(double thickness_m, const std::vector<std::string>& rows) {
   return with_building_contours(drawn_map(0.5, rows).labels, 0.5, thickness_m);
@@ -84,5 +84,5 @@ TEST(BuildingContours, ChangeNoOtherClass) {
   EXPECT_EQ(contours(0.5, streets), drawn(streets));
 }
 
-}  // namespace
+}  // namespace building_contours_test
 }  // namespace nadir

@@ -8,7 +8,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace class_images_test {
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -231,5 +231,5 @@ TEST_F(PlacedClassImages, MustAllLieAtOnePlace) {
   EXPECT_THAT(error_text(import()), HasSubstr("road.png lies"));
 }
 
-}  // namespace
+}  // namespace class_images_test
 }  // namespace nadir

@@ -8,7 +8,7 @@
 #include "tests/core/map/raster_files.h"
 
 namespace nadir {
-namespace {
+namespace class_planes_test {
 
 /// Widths around the size of a word, where off-by-one lives.
 constexpr std::array kWidths{1, 63, 64, 65, 127, 128, 200};
@@ -73,5 +73,5 @@ TEST(ClassPlane, OfAnEmptyMapIsEmpty) {
   EXPECT_FALSE(plane.test(0, 0));
 }
 
-}  // namespace
+}  // namespace class_planes_test
 }  // namespace nadir

@@ -6,7 +6,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace class_remap_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -98,5 +98,5 @@ TEST(BundledRemaps, OfTheDrawnTownKnowItsFourClasses) {
   EXPECT_EQ(remap->find_id(4), kVegetation);
 }
 
-}  // namespace
+}  // namespace class_remap_test
 }  // namespace nadir

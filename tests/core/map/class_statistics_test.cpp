@@ -8,7 +8,7 @@
 #include "tests/support/drawn_map.h"
 
 namespace nadir {
-namespace {
+namespace class_statistics_test {
 
 using testing::Each;
 
@@ -102,5 +102,5 @@ TEST(ImportanceReading, HasNamesForTheCommandLine) {
   EXPECT_EQ(enum_name(ImportanceReading::kUniform), "uniform");
 }
 
-}  // namespace
+}  // namespace class_statistics_test
 }  // namespace nadir

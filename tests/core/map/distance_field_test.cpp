@@ -10,7 +10,7 @@
 #include "tests/support/drawn_map.h"
 
 namespace nadir {
-namespace {
+namespace distance_field_test {
 
 using testing::DoubleNear;
 using testing::Each;
@@ -100,5 +100,5 @@ TEST(ClassDistanceField, NeedsAPositiveTruncation) {
   EXPECT_THROW(static_cast<void>(build_class_distance_field(map, kRoad, 0.0)), std::logic_error);
 }
 
-}  // namespace
+}  // namespace distance_field_test
 }  // namespace nadir

@@ -12,7 +12,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace map_grid_test {
 
 Affine2 north_up(const Eigen::Vector2d& corner, double column, double row) {
   Affine2 crs_from_pixel;
@@ -178,5 +178,5 @@ TEST(OwnGrid, KeepsTheLimitsOfEveryMap) {
   EXPECT_FALSE(own_grid(large)) << "more than a thousand million cells";
 }
 
-}  // namespace
+}  // namespace map_grid_test
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include "tests/core/map/map_import_fixture.h"
 
 namespace nadir {
-namespace {
+namespace map_import_classes_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -220,5 +220,5 @@ TEST_F(MapImport, MakesMapsThatAreWrittenAndReadAsTheyAre) {
   EXPECT_EQ(read->name, "source");
 }
 
-}  // namespace
+}  // namespace map_import_classes_test
 }  // namespace nadir

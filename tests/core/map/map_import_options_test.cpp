@@ -8,7 +8,7 @@
 #include "tests/core/map/map_import_fixture.h"
 
 namespace nadir {
-namespace {
+namespace map_import_options_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -157,5 +157,5 @@ TEST_F(MapImport, NamesTheMapAfterTheWholeFolderAndTheFileWithoutItsKind) {
   EXPECT_EQ(import_map(folder.path() / "town.v3.tif", options).value().map.name, "town.v3");
 }
 
-}  // namespace
+}  // namespace map_import_options_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "tests/core/map/map_import_fixture.h"
 
 namespace nadir {
-namespace {
+namespace map_import_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -155,5 +155,5 @@ TEST_F(MapImport, RefusesThePole) {
   EXPECT_THAT(fault(file), HasSubstr("is not in [-89, 89] degrees"));
 }
 
-}  // namespace
+}  // namespace map_import_test
 }  // namespace nadir

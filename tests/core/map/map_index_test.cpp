@@ -13,7 +13,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace map_index_test {
 
 std::shared_ptr<const OverheadMap> patchwork_map(int width, int height) {
   OverheadMap map = drawn_map(0.2, {"."});
@@ -86,5 +86,5 @@ TEST(MapIndex, StopsWhenAsked) {
 
 TEST(MapIndex, NeedsAMap) { EXPECT_THROW(MapIndex(nullptr), std::logic_error); }
 
-}  // namespace
+}  // namespace map_index_test
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace map_placement_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -140,5 +140,5 @@ TEST_F(PlacementOfAPicture, KeepsItsOwnFaultWhenItIsRefused) {
   EXPECT_THAT(text, testing::Not(HasSubstr("--crs")));
 }
 
-}  // namespace
+}  // namespace map_placement_test
 }  // namespace nadir

@@ -6,7 +6,7 @@
 #include "tests/support/drawn_map.h"
 
 namespace nadir {
-namespace {
+namespace map_summary_test {
 
 using testing::StartsWith;
 
@@ -57,5 +57,5 @@ TEST(MapPlace, SaysWhatLiesThereInEveryNotation) {
   EXPECT_EQ(outside.class_id, kUnclassified);
 }
 
-}  // namespace
+}  // namespace map_summary_test
 }  // namespace nadir

@@ -15,7 +15,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace overhead_map_file_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -387,5 +387,5 @@ TEST_F(MapPackage, IsNotWrittenFromAnEmptyRaster) {
                std::logic_error);
 }
 
-}  // namespace
+}  // namespace overhead_map_file_test
 }  // namespace nadir

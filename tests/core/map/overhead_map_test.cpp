@@ -9,7 +9,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace overhead_map_test {
 
 using testing::HasSubstr;
 
@@ -67,5 +67,5 @@ TEST(UsableForLocalising, RefusesAResolutionThatIsNone) {
   }
 }
 
-}  // namespace
+}  // namespace overhead_map_test
 }  // namespace nadir

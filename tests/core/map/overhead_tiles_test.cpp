@@ -13,7 +13,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace overhead_tiles_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -372,5 +372,5 @@ TEST(OverheadTiles, OfADamagedFileAreTheTruthOrAnError) {
   EXPECT_GT(bad, 10);
 }
 
-}  // namespace
+}  // namespace overhead_tiles_test
 }  // namespace nadir

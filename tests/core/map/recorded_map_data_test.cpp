@@ -16,7 +16,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace recorded_map_data_test {
 
 namespace fs = std::filesystem;
 using testing::Contains;
@@ -176,5 +176,5 @@ TEST_F(RecordedMap, OfTheAustrianCapitalsHasThemInTheSamePlaceInEveryEncoding) {
   }
 }
 
-}  // namespace
+}  // namespace recorded_map_data_test
 }  // namespace nadir

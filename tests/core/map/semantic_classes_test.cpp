@@ -6,7 +6,7 @@
 #include <set>
 
 namespace nadir {
-namespace {
+namespace semantic_classes_test {
 
 TEST(SemanticClasses, HaveTheNamesAndColoursOfThePalette) {
   EXPECT_EQ(class_info(kRoad).name, "road");
@@ -64,5 +64,5 @@ TEST(SemanticClasses, SkyLiesInNoOverheadAndNeitherDoesWhatIsNoClass) {
   EXPECT_FALSE(is_movable(kPole));
 }
 
-}  // namespace
+}  // namespace semantic_classes_test
 }  // namespace nadir

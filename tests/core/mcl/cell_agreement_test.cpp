@@ -14,7 +14,7 @@
 #include "tests/support/scenery.h"
 
 namespace nadir {
-namespace {
+namespace cell_agreement_test {
 
 using testing::Each;
 using testing::ElementsAre;
@@ -175,5 +175,5 @@ TEST(CellAgreement, OfAnEmptyTopviewIsNothing) {
   EXPECT_FALSE(result.share().has_value());
 }
 
-}  // namespace
+}  // namespace cell_agreement_test
 }  // namespace nadir

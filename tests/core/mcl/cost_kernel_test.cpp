@@ -11,7 +11,7 @@
 #include "tests/support/drawn_map.h"
 
 namespace nadir {
-namespace {
+namespace cost_kernel_test {
 
 OverheadMap blank_map(int width, int height) {
   OverheadMap map = drawn_map(0.5, {"R"});
@@ -247,5 +247,5 @@ TEST(CostKernel, HasAPortableWayAlways) {
   EXPECT_TRUE(is_available(best_instruction_set()));
 }
 
-}  // namespace
+}  // namespace cost_kernel_test
 }  // namespace nadir

@@ -8,7 +8,7 @@
 #include "core/base/random.h"
 
 namespace nadir::detail {
-namespace {
+namespace cost_rows_test {
 
 /// Costs that differ from cell to cell, also on the border.
 CostRaster numbered_costs(int width, int height) {
@@ -104,5 +104,5 @@ TEST(SumRows, DoesNotOverflowWhereEveryCellCostsAll) {
   }
 }
 
-}  // namespace
+}  // namespace cost_rows_test
 }  // namespace nadir::detail

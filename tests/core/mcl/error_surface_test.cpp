@@ -11,7 +11,7 @@
 #include "tests/support/scenery.h"
 
 namespace nadir {
-namespace {
+namespace error_surface_test {
 
 constexpr double kCellM = 0.2;
 
@@ -149,5 +149,5 @@ TEST(ClassCosts, BlamesTheClassThatDoesNotFit) {
   EXPECT_GT(costs[kTerrain], 0.1);
 }
 
-}  // namespace
+}  // namespace error_surface_test
 }  // namespace nadir

@@ -11,7 +11,7 @@
 #include "tests/support/scenery.h"
 
 namespace nadir {
-namespace {
+namespace localiser_test {
 
 using testing::HasSubstr;
 
@@ -308,5 +308,5 @@ TEST(LocaliserPresets, HoldTheParametersOfTheThesis) {
             "preset 'thesys': does not exist (did you mean thesis?)");
 }
 
-}  // namespace
+}  // namespace localiser_test
 }  // namespace nadir

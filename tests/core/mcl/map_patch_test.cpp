@@ -12,7 +12,7 @@
 #include "tests/support/scenery.h"
 
 namespace nadir {
-namespace {
+namespace map_patch_test {
 
 using testing::Each;
 
@@ -130,5 +130,5 @@ TEST(MapPatch, IsEmptyGroundForAPoseThatIsNotFiniteAndEmptyForAnEmptyPicture) {
   EXPECT_TRUE(map_patch(map, {}, topview_raster({})).empty());
 }
 
-}  // namespace
+}  // namespace map_patch_test
 }  // namespace nadir

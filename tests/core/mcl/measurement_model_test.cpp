@@ -12,7 +12,7 @@
 #include "tests/support/scenery.h"
 
 namespace nadir {
-namespace {
+namespace measurement_model_test {
 
 using testing::DoubleNear;
 using testing::HasSubstr;
@@ -232,5 +232,5 @@ TEST(ErrorSurface, RefusesGridsThatMakeNoSense) {
               HasSubstr("no cell"));
 }
 
-}  // namespace
+}  // namespace measurement_model_test
 }  // namespace nadir

@@ -8,7 +8,7 @@
 #include "core/mcl/pose_estimate.h"
 
 namespace nadir {
-namespace {
+namespace motion_model_test {
 
 ParticleSet copies(std::size_t count, const Rigid2& pose) {
   ParticleSet particles;
@@ -124,5 +124,5 @@ TEST(Blur, ChangesNothingWhenItIsOff) {
   EXPECT_EQ(particles, before);
 }
 
-}  // namespace
+}  // namespace motion_model_test
 }  // namespace nadir

@@ -8,7 +8,7 @@
 #include "core/base/random.h"
 
 namespace nadir {
-namespace {
+namespace pose_estimate_test {
 
 struct Blob {
   Rigid2 centre;
@@ -109,5 +109,5 @@ TEST(EffectiveSampleSize, IsTheCountForEqualWeightsAndOneForASingleSurvivor) {
   EXPECT_EQ(effective_sample_size(particles), 1.0);
 }
 
-}  // namespace
+}  // namespace pose_estimate_test
 }  // namespace nadir

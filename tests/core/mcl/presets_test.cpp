@@ -11,7 +11,7 @@
 #include "core/topview/semantic_topview.h"
 
 namespace nadir {
-namespace {
+namespace presets_test {
 
 /// A preset as its fields' names and values: numbers as they are, booleans as 0 and 1, choices by
 /// name.
@@ -128,5 +128,5 @@ TEST(ThesisPresets, CollapseWithTheTopviewOfSectionThreeFour) {
   EXPECT_EQ(topview.curb_vote, 1.0);
 }
 
-}  // namespace
+}  // namespace presets_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "core/base/random.h"
 
 namespace nadir {
-namespace {
+namespace resampling_test {
 
 using testing::AllOf;
 using testing::Ge;
@@ -112,5 +112,5 @@ TEST(CountOccupiedBins, CountsPlacesAndHeadingsOnce) {
   EXPECT_EQ(count_occupied_bins(particles, {1, 1, 1}), 1U);
 }
 
-}  // namespace
+}  // namespace resampling_test
 }  // namespace nadir

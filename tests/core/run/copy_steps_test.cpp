@@ -10,7 +10,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace copy_steps_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -136,5 +136,5 @@ TEST_F(CopiedSteps, BeginAtATime) {
   EXPECT_THAT(error_text(RunReader::open(path("old.nadir"))), HasSubstr("row started_at_s: noon"));
 }
 
-}  // namespace
+}  // namespace copy_steps_test
 }  // namespace nadir

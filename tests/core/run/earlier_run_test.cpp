@@ -14,7 +14,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir::detail {
-namespace {
+namespace earlier_run_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -220,5 +220,5 @@ TEST_F(EarlierRunFile, IsAskedForWithoutATrace) {
   EXPECT_EQ(folder_.entries(), 1);
 }
 
-}  // namespace
+}  // namespace earlier_run_test
 }  // namespace nadir::detail

@@ -11,7 +11,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace edited_run_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -186,5 +186,5 @@ TEST_F(EditedRun, NumbersOfTableAboutAreNumbers) {
   EXPECT_FALSE(bare->is_complete);
 }
 
-}  // namespace
+}  // namespace edited_run_test
 }  // namespace nadir

@@ -11,7 +11,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace evaluate_run_test {
 
 using testing::HasSubstr;
 
@@ -73,5 +73,5 @@ TEST(EvaluateRun, AlignsWhenAskedAndNamesTheFileWhenItCannot) {
   EXPECT_FALSE(evaluate_run_file(folder.path() / "none.nadir"));
 }
 
-}  // namespace
+}  // namespace evaluate_run_test
 }  // namespace nadir

@@ -15,7 +15,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace killed_run_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -249,5 +249,5 @@ TEST(RunWriter, RefusesAFolderThatMayNotBeWritten) {
   fs::permissions(kept, fs::perms(0755));
 }
 
-}  // namespace
+}  // namespace killed_run_test
 }  // namespace nadir

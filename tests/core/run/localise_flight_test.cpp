@@ -6,7 +6,7 @@
 #include "tests/core/run/rendered_flight.h"
 
 namespace nadir {
-namespace {
+namespace localise_flight_test {
 
 using testing::HasSubstr;
 
@@ -155,5 +155,5 @@ TEST(RunHeader, TellsInputsApartByTheirHashes) {
   EXPECT_EQ(header.options.at("max-range"), "20");
 }
 
-}  // namespace
+}  // namespace localise_flight_test
 }  // namespace nadir

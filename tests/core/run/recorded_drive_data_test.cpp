@@ -11,7 +11,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace recorded_drive_data_test {
 
 constexpr std::size_t kFrames = 400;
 
@@ -61,5 +61,5 @@ INSTANTIATE_TEST_SUITE_P(WithRecordedOdometry,
                            return std::string(instance.param).substr(6, 5);
                          });
 
-}  // namespace
+}  // namespace recorded_drive_data_test
 }  // namespace nadir

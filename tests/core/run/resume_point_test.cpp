@@ -11,7 +11,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace resume_point_test {
 
 using testing::HasSubstr;
 
@@ -110,5 +110,5 @@ TEST(RecordedOptions, AreRefusedWhereAValueIsNone) {
   EXPECT_THAT(error_text(recorded_options(header)), HasSubstr("--particles: 0"));
 }
 
-}  // namespace
+}  // namespace resume_point_test
 }  // namespace nadir

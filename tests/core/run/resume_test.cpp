@@ -9,7 +9,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace resume_test {
 
 using testing::HasSubstr;
 
@@ -219,5 +219,5 @@ TEST_F(RecordedDrive, TellsInItsHeaderWhereItWentOn) {
   EXPECT_FALSE(whole_header.started_at_s.has_value());
 }
 
-}  // namespace
+}  // namespace resume_test
 }  // namespace nadir

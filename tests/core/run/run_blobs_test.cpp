@@ -10,7 +10,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir::detail {
-namespace {
+namespace run_blobs_test {
 
 using testing::HasSubstr;
 
@@ -150,5 +150,5 @@ TEST(TopviewBlob, IsRefusedWhereItsClassesAreNone) {
   EXPECT_THAT(error_text(decode_topview(particles, 16, 0.1)), HasSubstr("are not grouped"));
 }
 
-}  // namespace
+}  // namespace run_blobs_test
 }  // namespace nadir::detail

@@ -15,7 +15,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace run_file_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -273,5 +273,5 @@ TEST(RunFile, StepsOfTenThousandParticlesAreWrittenInMilliseconds) {
   EXPECT_LT(spent.count() / 50, 50.0) << "generous, since machines of CI are slow and shared";
 }
 
-}  // namespace
+}  // namespace run_file_test
 }  // namespace nadir

@@ -14,7 +14,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir::detail {
-namespace {
+namespace run_limits_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -160,5 +160,5 @@ TEST(RunLimits, TheNamesOfAFaultAreThoseOfTheTables) {
   EXPECT_EQ(fault_text({.column = {}, .what = "all of it"}, kStepColumns), "all of it");
 }
 
-}  // namespace
+}  // namespace run_limits_test
 }  // namespace nadir::detail

@@ -7,7 +7,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace run_options_test {
 
 using testing::HasSubstr;
 
@@ -77,5 +77,5 @@ TEST(RunOptions, CanAllBeSetToTheTextThatTheyPrint) {
     EXPECT_EQ(again[i].value, before[i].value) << before[i].name;
 }
 
-}  // namespace
+}  // namespace run_options_test
 }  // namespace nadir

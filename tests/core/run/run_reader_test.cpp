@@ -8,7 +8,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace run_reader_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -151,5 +151,5 @@ TEST(RunReader, FlippedBytesNeverCrash) {
   }
 }
 
-}  // namespace
+}  // namespace run_reader_test
 }  // namespace nadir

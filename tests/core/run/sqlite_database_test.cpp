@@ -9,7 +9,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir::detail {
-namespace {
+namespace sqlite_database_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -141,5 +141,5 @@ TEST_F(SqliteFile, GivesZeroForAQuestionWithoutAnAnswer) {
   EXPECT_EQ(table().whole("SELECT x FROM t").value(), 0);
 }
 
-}  // namespace
+}  // namespace sqlite_database_test
 }  // namespace nadir::detail

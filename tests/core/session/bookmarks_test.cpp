@@ -8,7 +8,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace bookmarks_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -153,5 +153,5 @@ TEST_F(BookmarkFile, NeedsAFolder) {
   EXPECT_EQ(error_code(outcome), ErrorCode::kIo);
 }
 
-}  // namespace
+}  // namespace bookmarks_test
 }  // namespace nadir

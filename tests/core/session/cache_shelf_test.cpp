@@ -8,7 +8,7 @@
 #include "core/session/cursor_order.h"
 
 namespace nadir {
-namespace {
+namespace cache_shelf_test {
 
 using detail::CacheShelf;
 using detail::CursorDistance;
@@ -136,5 +136,5 @@ TEST(StepsNearby, LookFartherAheadInPlay) {
   EXPECT_TRUE(detail::steps_nearby({5, 1, true, true}, 5).empty()) << "past the end";
 }
 
-}  // namespace
+}  // namespace cache_shelf_test
 }  // namespace nadir

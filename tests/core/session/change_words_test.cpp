@@ -6,7 +6,7 @@
 #include <set>
 
 namespace nadir {
-namespace {
+namespace change_words_test {
 
 std::string title_of(const std::string& words, const ViewState& after = default_view_state()) {
   return change_title(parse_action(words).value(), after);
@@ -90,5 +90,5 @@ TEST(MergeKey, IsEmptyForWhatIsDoneOnce) {
   }
 }
 
-}  // namespace
+}  // namespace change_words_test
 }  // namespace nadir

@@ -14,7 +14,7 @@
 #include "tests/support/scenery.h"
 
 namespace nadir {
-namespace {
+namespace moment_surface_test {
 
 constexpr double kCellM = 0.2;
 const Rigid2 kTruth{20.0, 16.0, 0.7};
@@ -170,5 +170,5 @@ TEST(MomentGrid, IsAsWideAsTheTruthNeeds) {
   EXPECT_NEAR(Angle::radians(moment_grid(step, 0.1).step_rad).degrees(), 10.0, 1e-9);
 }
 
-}  // namespace
+}  // namespace moment_surface_test
 }  // namespace nadir

@@ -6,7 +6,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace place_text_test {
 
 using testing::HasSubstr;
 
@@ -86,5 +86,5 @@ TEST(PlaceText, RefusesWhatIsFarFromTheMap) {
   EXPECT_THAT(error_text(parse_place_text("2000000 0", georgia())), HasSubstr("2000 km"));
 }
 
-}  // namespace
+}  // namespace place_text_test
 }  // namespace nadir

@@ -2,7 +2,7 @@
 #include "tests/core/session/session_fixture.h"
 
 namespace nadir {
-namespace {
+namespace session_bookmarks_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -109,5 +109,5 @@ TEST_F(SessionBookmarksTest, ThatAreDamagedDoNotKeepTheRunFromBeingShown) {
   EXPECT_THAT(notes(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace session_bookmarks_test
 }  // namespace nadir

@@ -4,7 +4,7 @@
 #include "tests/core/session/session_fixture.h"
 
 namespace nadir {
-namespace {
+namespace session_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -241,5 +241,5 @@ TEST_F(SessionTest, PutsAwayWhatWentWellByItselfAndFaultsOnlyWhenTold) {
   EXPECT_EQ(session_->notices().size(), 1U);
 }
 
-}  // namespace
+}  // namespace session_test
 }  // namespace nadir

@@ -13,7 +13,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace step_cache_test {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -375,5 +375,5 @@ TEST_F(StepCacheOfARun, CountsTheSameRequestOnce) {
   EXPECT_TRUE(cache.is_idle());
 }
 
-}  // namespace
+}  // namespace step_cache_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "tests/core/session/made_run.h"
 
 namespace nadir {
-namespace {
+namespace worst_moments_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -287,5 +287,5 @@ TEST(MomentWords, HaveNoMoreDigitsThanHelp) {
   EXPECT_EQ(detail::duration_words(125.2), "2 min 5 s");
 }
 
-}  // namespace
+}  // namespace worst_moments_test
 }  // namespace nadir

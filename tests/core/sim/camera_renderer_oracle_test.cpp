@@ -11,7 +11,7 @@
 #include "tests/core/sim/street_map.h"
 
 namespace nadir {
-namespace {
+namespace camera_renderer_oracle_test {
 
 struct Seen {
   ClassId label;
@@ -81,5 +81,5 @@ TEST(CameraRenderer, AgreesWithARayThatIsWalkedInTinySteps) {
   EXPECT_LE(differing_depths, pixels / 1000);
 }
 
-}  // namespace
+}  // namespace camera_renderer_oracle_test
 }  // namespace nadir

@@ -12,7 +12,7 @@
 #include "tests/core/sim/street_map.h"
 
 namespace nadir {
-namespace {
+namespace camera_renderer_test {
 
 constexpr double kViewRad = 59.95 * std::numbers::pi / 180.0;
 
@@ -196,5 +196,5 @@ TEST(CameraRenderer, GivesTheSameBitsOnOneThreadAndOnTwo) {
   EXPECT_EQ(one.depth_m, two.depth_m);
 }
 
-}  // namespace
+}  // namespace camera_renderer_test
 }  // namespace nadir

@@ -13,7 +13,7 @@
 #include "tests/support/drawn_map.h"
 
 namespace nadir {
-namespace {
+namespace column_ray_test {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kTestStream = 1001;
@@ -167,5 +167,5 @@ TEST(TraceColumns, SeesTheSideOfACurbFromTheRoadAndNotFromBehind) {
   EXPECT_NEAR(road.t, 2.0, 1e-9) << "over the edge and down to z = 0";
 }
 
-}  // namespace
+}  // namespace column_ray_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "core/base/parallel.h"
 
 namespace nadir {
-namespace {
+namespace depth_noise_test {
 
 TEST(DepthNoise, OnlyCutsTheRangeWhereThereIsNoNoise) {
   const Raster<float> truth(5, 1, {0.0F, 3.5F, 20.0F, 20.5F, 1.0F});
@@ -65,5 +65,5 @@ TEST(DepthNoise, IsAFunctionOfSeedAndFrameOnAnyNumberOfThreads) {
   EXPECT_NE(on_threads(1, 7, 2), on_threads(1, 8, 2));
 }
 
-}  // namespace
+}  // namespace depth_noise_test
 }  // namespace nadir

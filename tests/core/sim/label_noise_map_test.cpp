@@ -11,7 +11,7 @@
 #include "core/sim/route.h"
 
 namespace nadir {
-namespace {
+namespace label_noise_map_test {
 
 using testing::AllOf;
 using testing::Ge;
@@ -82,5 +82,5 @@ INSTANTIATE_TEST_SUITE_P(Routes,
                          LabelNoiseOverTheTown,
                          testing::Values("loop.toml", "figure-eight.toml"));
 
-}  // namespace
+}  // namespace label_noise_map_test
 }  // namespace nadir

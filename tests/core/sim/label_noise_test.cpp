@@ -13,7 +13,7 @@
 #include "tests/core/sim/street_map.h"
 
 namespace nadir {
-namespace {
+namespace label_noise_test {
 
 CameraModel camera() {
   return CameraModel::from_horizontal_view(320, 240, 59.95 * std::numbers::pi / 180.0);
@@ -193,5 +193,5 @@ TEST(LabelNoise, LeavesUnclassifiedGroundUnclassified) {
   EXPECT_THAT(seen.values(), testing::Each(kUnclassified));
 }
 
-}  // namespace
+}  // namespace label_noise_test
 }  // namespace nadir

@@ -10,7 +10,7 @@
 #include "core/sim/simulated_flight.h"
 
 namespace nadir {
-namespace {
+namespace odometry_noise_test {
 
 /// A banked flight in a circle, with time stamps that are not evenly spaced.
 Trajectory circle(double duration_s) {
@@ -136,5 +136,5 @@ TEST(DriftingOdometry, ReportsTheMotionOfTheBodyTurnedByTheYawError) {
   EXPECT_GT(largest_rad, 0.3) << "or nothing was shown";
 }
 
-}  // namespace
+}  // namespace odometry_noise_test
 }  // namespace nadir

@@ -10,7 +10,7 @@
 #include "tests/support/recorded_drive.h"
 
 namespace nadir {
-namespace {
+namespace recorded_path_data_test {
 
 TEST(RecordedPath, IsObservedAlongTheRoadsOfTheDrawnTown) {
   const std::filesystem::path data = test_data_folder();
@@ -52,5 +52,5 @@ TEST(RecordedPath, IsObservedAlongTheRoadsOfTheDrawnTown) {
   std::filesystem::remove_all(output);
 }
 
-}  // namespace
+}  // namespace recorded_path_data_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "tests/support/drawn_map.h"
 
 namespace nadir {
-namespace {
+namespace relief_test {
 
 using testing::AllOf;
 using testing::Each;
@@ -80,5 +80,5 @@ TEST(Relief, GivesEachBuildingOneHeightThatTheSeedDecides) {
   EXPECT_NE(raise_relief(map, 0.12, 8).height_m, relief.height_m);
 }
 
-}  // namespace
+}  // namespace relief_test
 }  // namespace nadir

@@ -10,7 +10,7 @@
 #include "core/sim/flight_path.h"
 
 namespace nadir {
-namespace {
+namespace route_test {
 
 using testing::HasSubstr;
 
@@ -221,5 +221,5 @@ TEST(PlanFlight, RefusesCornersThatCannotBeFlown) {
   EXPECT_THAT(cramped.error().message, HasSubstr("room for a radius of 0.25 m"));
 }
 
-}  // namespace
+}  // namespace route_test
 }  // namespace nadir

@@ -18,7 +18,7 @@
 #include "tests/core/sim/street_map.h"
 
 namespace nadir {
-namespace {
+namespace simulated_flight_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -350,5 +350,5 @@ TEST(SimulationOptions, AreAllReachableByNameWorldIncluded) {
   EXPECT_FALSE(set_option(options, "tree-share", "1.5").has_value());
 }
 
-}  // namespace
+}  // namespace simulated_flight_test
 }  // namespace nadir

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace nadir {
-namespace {
+namespace smooth_noise_test {
 
 TEST(SmoothNoise, IsStandardNormalAtLatticePointsAndBetweenThem) {
   for (const double offset : {0.0, 0.5, 0.3}) {
@@ -52,5 +52,5 @@ TEST(NormalQuantile, IsTheInverseOfTheShareAndMatchesTables) {
   }
 }
 
-}  // namespace
+}  // namespace smooth_noise_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "tests/core/sim/solid_oracle.h"
 
 namespace nadir {
-namespace {
+namespace solid_test {
 
 constexpr double kMiss = std::numeric_limits<double>::infinity();
 
@@ -99,5 +99,5 @@ INSTANTIATE_TEST_SUITE_P(Solid,
                                          Solid::Shape::kEllipsoid,
                                          Solid::Shape::kCapsule));
 
-}  // namespace
+}  // namespace solid_test
 }  // namespace nadir

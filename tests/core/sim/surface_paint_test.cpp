@@ -7,7 +7,7 @@
 #include "tests/core/sim/street_map.h"
 
 namespace nadir {
-namespace {
+namespace surface_paint_test {
 
 TEST(Light, OnLevelGroundIsOneAndLeastAwayFromTheSun) {
   EXPECT_NEAR(light(Eigen::Vector3d::UnitZ()), 1.0F, 0.001F);
@@ -46,5 +46,5 @@ TEST(SurfacePaint, TellsTrunkFromCrownAndHeadFromTrousers) {
             paint_of_solid(person, {0.0, 0.0, 0.3}).sum());
 }
 
-}  // namespace
+}  // namespace surface_paint_test
 }  // namespace nadir

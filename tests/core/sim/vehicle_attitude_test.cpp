@@ -9,7 +9,7 @@
 #include "core/sim/route.h"
 
 namespace nadir {
-namespace {
+namespace vehicle_attitude_test {
 
 /// Mean tilt over ten seconds of a steady load, after it has settled; the jitter averages out.
 Tilt settled(double forward_mps2, double left_mps2, double speed_mps) {
@@ -89,5 +89,5 @@ TEST(PlannedFlight, BanksIntoItsTurns) {
   EXPECT_GT(strongest_roll(right), 6.0);
 }
 
-}  // namespace
+}  // namespace vehicle_attitude_test
 }  // namespace nadir

@@ -11,7 +11,7 @@
 #include "tests/core/sim/street_map.h"
 
 namespace nadir {
-namespace {
+namespace world_colours_test {
 
 CameraModel camera(int width = 320, int height = 240) {
   return CameraModel::from_horizontal_view(width, height, 59.95 * std::numbers::pi / 180.0);
@@ -213,5 +213,5 @@ TEST(WorldColours, TakeACameraOutsideTheMap) {
   EXPECT_THROW(WorldColours(world, &image, 1), std::logic_error) << "a picture of another size";
 }
 
-}  // namespace
+}  // namespace world_colours_test
 }  // namespace nadir

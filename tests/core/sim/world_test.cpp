@@ -10,7 +10,7 @@
 #include "tests/core/sim/street_map.h"
 
 namespace nadir {
-namespace {
+namespace world_test {
 
 using testing::AnyOf;
 using testing::SizeIs;
@@ -149,5 +149,5 @@ TEST(Ground, TellsTheDirectionOfAStraightEdgeAndNoneAtACorner) {
   EXPECT_NEAR(ground.height_m({20.0, 35.0}), 0.12, 1e-6);
 }
 
-}  // namespace
+}  // namespace world_test
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace nadir {
-namespace {
+namespace camera_model_test {
 
 constexpr double kThesisView_rad = 59.95 * std::numbers::pi / 180.0;
 
@@ -54,5 +54,5 @@ TEST(CameraModel, RefusesSizesAndLengthsThatNoCameraHas) {
   EXPECT_THAT(validate(bad).error().message, testing::HasSubstr("principal point"));
 }
 
-}  // namespace
+}  // namespace camera_model_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "core/base/random.h"
 
 namespace nadir {
-namespace {
+namespace cell_placement_test {
 
 TEST(CellPlacement, PutsTheCentreOfACellHalfACellBeyondItsIndices) {
   const CellPlacement placement(Rigid2{}, 0.2);
@@ -48,5 +48,5 @@ TEST(CellPlacement, OfAPoseThatIsNotFiniteIsNowhere) {
   }
 }
 
-}  // namespace
+}  // namespace cell_placement_test
 }  // namespace nadir

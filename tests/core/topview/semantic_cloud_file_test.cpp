@@ -7,7 +7,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace semantic_cloud_file_test {
 
 using testing::HasSubstr;
 
@@ -81,5 +81,5 @@ TEST_F(SemanticCloudFile, LosesThePointThatHasNoNeighbours) {
   EXPECT_EQ(without_outliers({}, 0.5, 1).size(), 0U);
 }
 
-}  // namespace
+}  // namespace semantic_cloud_file_test
 }  // namespace nadir

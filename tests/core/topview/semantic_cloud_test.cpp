@@ -8,7 +8,7 @@
 #include "core/geo/rigid3.h"
 
 namespace nadir {
-namespace {
+namespace semantic_cloud_test {
 
 Eigen::Isometry3d level_from_forward_camera(const Attitude& attitude = {}) {
   const Eigen::Quaterniond levelling = level_from_body(rotation_of(attitude));
@@ -98,5 +98,5 @@ TEST(SemanticCloud, RefusesImagesOfDifferentSizesAndSaysWhich) {
   EXPECT_EQ(depth.error().message, "depth: 64 x 1 pixels, but the camera has 64 x 48");
 }
 
-}  // namespace
+}  // namespace semantic_cloud_test
 }  // namespace nadir

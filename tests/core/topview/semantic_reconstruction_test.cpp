@@ -15,7 +15,7 @@
 #include "tests/support/scenery.h"
 
 namespace nadir {
-namespace {
+namespace semantic_reconstruction_test {
 
 using testing::HasSubstr;
 
@@ -284,5 +284,5 @@ TEST(SemanticReconstruction, OfNothingIsEmpty) {
   EXPECT_THROW(static_cast<void>(reconstruction.labels(0)), std::logic_error);
 }
 
-}  // namespace
+}  // namespace semantic_reconstruction_test
 }  // namespace nadir

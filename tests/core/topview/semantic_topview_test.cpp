@@ -8,7 +8,7 @@
 #include "core/base/random.h"
 
 namespace nadir {
-namespace {
+namespace semantic_topview_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -145,5 +145,5 @@ TEST(TopviewRaster, IsUndoneByTopviewFromRaster) {
   EXPECT_EQ(topview_from_raster(topview_raster(*topview), 0.1), *topview);
 }
 
-}  // namespace
+}  // namespace semantic_topview_test
 }  // namespace nadir

@@ -10,7 +10,7 @@
 #include "tests/support/page_pixels.h"
 
 namespace nadir {
-namespace {
+namespace cairo_canvas_test {
 
 class CairoPage : public testing::Test {
  protected:
@@ -268,5 +268,5 @@ TEST(CairoCanvas, SaysThatAPageIsTooLarge) {
   EXPECT_THROW((void)CairoCanvas::for_pixels(100'000, 100'000, kWhite), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace cairo_canvas_test
 }  // namespace nadir

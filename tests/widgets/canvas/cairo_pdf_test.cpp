@@ -10,7 +10,7 @@
 #include "widgets/canvas/cairo_canvas.h"
 
 namespace nadir {
-namespace {
+namespace cairo_pdf_test {
 
 using testing::EndsWith;
 using testing::HasSubstr;
@@ -124,5 +124,5 @@ TEST(CairoPdf, AndPixelsAreNotAskedOfEachOther) {
   EXPECT_THROW((void)CairoCanvas::for_pdf(4, 4, 96.0, "", "")->pixels(), std::logic_error);
 }
 
-}  // namespace
+}  // namespace cairo_pdf_test
 }  // namespace nadir

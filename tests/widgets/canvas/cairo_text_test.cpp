@@ -5,7 +5,7 @@
 #include "widgets/canvas/cairo_canvas.h"
 
 namespace nadir {
-namespace {
+namespace cairo_text_test {
 
 /// Where the ink is when a line is written at the middle of a page of 200 x 200 pixels.
 PageRect ink_of(const std::string& line, TextStyle style) {
@@ -121,5 +121,5 @@ TEST(CairoText, ThatIsNotUtf8SpoilsNothingElse) {
   EXPECT_GT(width_of(latin1, {.size_px = 20.0}), 50.0);
 }
 
-}  // namespace
+}  // namespace cairo_text_test
 }  // namespace nadir

@@ -16,7 +16,7 @@
 #include "widgets/canvas/vtk_image.h"
 
 namespace nadir {
-namespace {
+namespace canvas_device_test {
 
 class Device : public testing::Test {
  protected:
@@ -292,5 +292,5 @@ TEST_F(Device, AnImageAtAPointIsScaled) {
   EXPECT_EQ(wrong_pixels(page.pixels(), {100, 20, 12, 6}, kRed, kWhite), 0);
 }
 
-}  // namespace
+}  // namespace canvas_device_test
 }  // namespace nadir

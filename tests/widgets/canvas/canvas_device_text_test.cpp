@@ -7,7 +7,7 @@
 #include "tests/widgets/canvas/device_page.h"
 
 namespace nadir {
-namespace {
+namespace canvas_device_text_test {
 
 struct Placing {
   int justification = VTK_TEXT_LEFT;
@@ -149,5 +149,5 @@ TEST_F(DeviceText, ThatIsTransparentOrEmptyIsNotDrawn) {
   EXPECT_EQ(page.ink(), PageRect{});
 }
 
-}  // namespace
+}  // namespace canvas_device_text_test
 }  // namespace nadir

@@ -14,7 +14,7 @@
 #include "widgets/canvas/svg_canvas.h"
 
 namespace nadir {
-namespace {
+namespace chart_test {
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -149,5 +149,5 @@ TEST(Chart, HasTheSameLayoutAsPixelsAndAsSvg) {
   }
 }
 
-}  // namespace
+}  // namespace chart_test
 }  // namespace nadir

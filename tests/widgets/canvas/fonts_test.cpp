@@ -12,7 +12,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace fonts_test {
 
 namespace fs = std::filesystem;
 
@@ -100,5 +100,5 @@ TEST(Fonts, ThatAreReplacedAreNamedWithTheirPackageAndWhatIsDrawn) {
               HasSubstr("font Inter is not installed (package fonts-inter), so JetBrains Mono"));
 }
 
-}  // namespace
+}  // namespace fonts_test
 }  // namespace nadir

@@ -8,7 +8,7 @@
 #include "core/base/random.h"
 
 namespace nadir {
-namespace {
+namespace page_lines_test {
 
 using Points = std::vector<Eigen::Vector2d>;
 using testing::ElementsAre;
@@ -132,5 +132,5 @@ TEST(AreaInside, IsTheBoxForAnAreaAroundIt) {
   }
 }
 
-}  // namespace
+}  // namespace page_lines_test
 }  // namespace nadir

@@ -13,7 +13,7 @@
 #include "tests/widgets/canvas/png_chunks.h"
 
 namespace nadir {
-namespace {
+namespace png_file_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -198,5 +198,5 @@ TEST(PngTexts, OfAFolderAreAnError) {
   EXPECT_THAT(error_text(read_png_texts(folder.path())), StartsWith(folder.path().string() + ": "));
 }
 
-}  // namespace
+}  // namespace png_file_test
 }  // namespace nadir

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 namespace nadir {
-namespace {
+namespace printable_test {
 
 const std::string kMark = "\xef\xbf\xbd";
 
@@ -47,5 +47,5 @@ TEST(Printable, ChangesNothingTheSecondTime) {
   EXPECT_EQ(printable(printable(every)), printable(every));
 }
 
-}  // namespace
+}  // namespace printable_test
 }  // namespace nadir

@@ -14,7 +14,7 @@
 #include "tests/widgets/canvas/xml_reading.h"
 
 namespace nadir {
-namespace {
+namespace svg_canvas_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -270,5 +270,5 @@ TEST_F(SvgPage, WritesNothingForTooFewPointsAnEmptyTextOrAnEmptyImage) {
   EXPECT_EQ(read().elements.size(), 3U);  // svg, title, metadata
 }
 
-}  // namespace
+}  // namespace svg_canvas_test
 }  // namespace nadir

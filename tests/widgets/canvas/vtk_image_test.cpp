@@ -10,7 +10,7 @@
 #include "tests/support/page_pixels.h"
 
 namespace nadir {
-namespace {
+namespace vtk_image_test {
 
 Raster<Rgba> numbered(int width, int height) {
   Raster<Rgba> pixels(width, height);
@@ -74,5 +74,5 @@ TEST(VtkImage, RefusesWhatIsNotAPicture) {
   EXPECT_THROW((void)raster_of(*fine), std::logic_error);
 }
 
-}  // namespace
+}  // namespace vtk_image_test
 }  // namespace nadir

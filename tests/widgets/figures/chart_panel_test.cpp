@@ -13,7 +13,7 @@
 #include "widgets/figures/page_layout.h"
 
 namespace nadir {
-namespace {
+namespace chart_panel_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -206,5 +206,5 @@ TEST(ChartGrid, DrawsNothingOfNoCharts) {
   EXPECT_THAT(canvas.strokes, IsEmpty());
 }
 
-}  // namespace
+}  // namespace chart_panel_test
 }  // namespace nadir

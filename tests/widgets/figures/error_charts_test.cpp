@@ -15,7 +15,7 @@
 #include "widgets/views/chart_axis.h"
 
 namespace nadir {
-namespace {
+namespace error_charts_test {
 
 using testing::Contains;
 using testing::DoubleNear;
@@ -440,5 +440,5 @@ TEST(TimingChart, TakesTheLowerOfTwoMiddlePeriods) {
   EXPECT_NEAR(step_period_ms(run).value(), 500.0, 1e-6);
 }
 
-}  // namespace
+}  // namespace error_charts_test
 }  // namespace nadir

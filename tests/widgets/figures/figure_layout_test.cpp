@@ -8,7 +8,7 @@
 #include "widgets/figures/figures.h"
 
 namespace nadir {
-namespace {
+namespace figure_layout_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -158,5 +158,5 @@ TEST(UnreadableTexts, FindsWhatOverlapsLeavesThePageOrIsCutOff) {
               ElementsAre("'two' covers 'one'", "'three' leaves the page", "'four' is cut off"));
 }
 
-}  // namespace
+}  // namespace figure_layout_test
 }  // namespace nadir

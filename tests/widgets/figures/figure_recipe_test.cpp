@@ -7,7 +7,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace figure_recipe_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -235,5 +235,5 @@ TEST(FigureRecipe, TakesLayersAsAList) {
   EXPECT_EQ(recipe->options.layers.text(), "picture,truth");
 }
 
-}  // namespace
+}  // namespace figure_recipe_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "widgets/figures/timed_figure.h"
 
 namespace nadir {
-namespace {
+namespace figure_run_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -114,5 +114,5 @@ TEST(TimedFigure, MarksTheMomentOfTheLastFrameThoughItsTimeIsRounded) {
   }
 }
 
-}  // namespace
+}  // namespace figure_run_test
 }  // namespace nadir

@@ -13,7 +13,7 @@
 #include "widgets/figures/run_on_map.h"
 
 namespace nadir {
-namespace {
+namespace figure_sources_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -174,5 +174,5 @@ TEST_F(Sources, HashTheMapsPictureWhereTheFigureShowsIt) {
   EXPECT_EQ(picture("trajectories"), "");
 }
 
-}  // namespace
+}  // namespace figure_sources_test
 }  // namespace nadir

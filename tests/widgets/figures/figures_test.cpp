@@ -9,7 +9,7 @@
 #include "widgets/figures/film.h"
 
 namespace nadir {
-namespace {
+namespace figures_test {
 
 using ::testing::HasSubstr;
 
@@ -221,5 +221,5 @@ TEST_F(Figures, StopAFilmWithoutLeavingAPiece) {
   EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "film.mp4"));
 }
 
-}  // namespace
+}  // namespace figures_test
 }  // namespace nadir

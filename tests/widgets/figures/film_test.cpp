@@ -10,7 +10,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace film_test {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -148,5 +148,5 @@ TEST(Film, EndsAtItsEndAndNotByRoundingBehindIt) {
   EXPECT_THAT(single.shown_s, ElementsAre(0.3 - 2.4e-7));
 }
 
-}  // namespace
+}  // namespace film_test
 }  // namespace nadir

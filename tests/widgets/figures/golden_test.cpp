@@ -11,7 +11,7 @@
 #include "widgets/figures/figures.h"
 
 namespace nadir {
-namespace {
+namespace golden_test {
 
 constexpr double kEnd = 1e9;
 
@@ -111,5 +111,5 @@ TEST(GoldenTable, HoldsEveryFigureInTheLightThemeAndEachNameOnce) {
   }
 }
 
-}  // namespace
+}  // namespace golden_test
 }  // namespace nadir

@@ -12,7 +12,7 @@
 #include "widgets/figures/map_panel.h"
 
 namespace nadir {
-namespace {
+namespace map_figures_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -176,5 +176,5 @@ TEST_F(MapFigures, RouteHasAnArrowInTheMiddleOfWhatIsSeenOfEachPiece) {
                   .empty());
 }
 
-}  // namespace
+}  // namespace map_figures_test
 }  // namespace nadir

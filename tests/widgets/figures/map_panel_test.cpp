@@ -12,7 +12,7 @@
 #include "widgets/figures/figures.h"
 
 namespace nadir {
-namespace {
+namespace map_panel_test {
 
 class MapPanels : public ::testing::Test {
  protected:
@@ -57,5 +57,5 @@ TEST_F(MapPanels, DrawTheirOwnPixelsAgainAfterADrawingFailed) {
   EXPECT_EQ(after.pixels, before.pixels);
 }
 
-}  // namespace
+}  // namespace map_panel_test
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include "widgets/figures/figures.h"
 
 namespace nadir {
-namespace {
+namespace page_layout_test {
 
 TEST(PageLayout, CutsColumnsFromTheLeftAndRowsFromTheTop) {
   const PageRect whole{10.0, 20.0, 100.0, 60.0};
@@ -165,5 +165,5 @@ TEST(PageFormat, KeepsTextReadableOnSmallPagesAndInProportionOnLargeOnes) {
   EXPECT_EQ(page_format(options, 1.5).height, 77);
 }
 
-}  // namespace
+}  // namespace page_layout_test
 }  // namespace nadir

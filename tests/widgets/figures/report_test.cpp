@@ -15,7 +15,7 @@
 #include "widgets/figures/report_page.h"
 
 namespace nadir {
-namespace {
+namespace report_test {
 
 namespace fs = std::filesystem;
 
@@ -248,5 +248,5 @@ TEST_F(Report, SaysWhichRunWasStoppedBeforeItsEnd) {
   EXPECT_THAT(table, HasSubstr("whole.nadir\n"));
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace nadir

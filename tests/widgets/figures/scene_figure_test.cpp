@@ -8,7 +8,7 @@
 #include "widgets/figures/flight_moments.h"
 
 namespace nadir {
-namespace {
+namespace scene_figure_test {
 
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
@@ -157,5 +157,5 @@ TEST(HeightAboveGround, IsTheMedianOfWhatLiesOnTheGround) {
   EXPECT_NEAR(height_above_ground(cloud), 1.5, 1e-6);
 }
 
-}  // namespace
+}  // namespace scene_figure_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "widgets/figures/run_lines.h"
 
 namespace nadir {
-namespace {
+namespace timed_figures_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -215,5 +215,5 @@ TEST_F(TimedFigures, RenderAMapThatStandsStillOnce) {
   }
 }
 
-}  // namespace
+}  // namespace timed_figures_test
 }  // namespace nadir

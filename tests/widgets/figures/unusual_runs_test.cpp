@@ -14,7 +14,7 @@
 #include "widgets/figures/reconstruction_side.h"
 
 namespace nadir {
-namespace {
+namespace unusual_runs_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -175,5 +175,5 @@ TEST_F(UnusualRuns, WhoseTopviewsReachTooFarAreRefusedByName) {
   EXPECT_TRUE(side.refresh());
 }
 
-}  // namespace
+}  // namespace unusual_runs_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace desktop_window_test {
 
 /// Ends the process with what create() says and 7, so that its parent sees both; 0 where a window came.
 [[noreturn]] void open_and_tell() {
@@ -65,5 +65,5 @@ TEST(DesktopWindow, WithoutPixelsIsABrokenPrecondition) {
   EXPECT_THROW((void)DesktopWindow::create("Nadir", 640, -1), std::logic_error);
 }
 
-}  // namespace
+}  // namespace desktop_window_test
 }  // namespace nadir

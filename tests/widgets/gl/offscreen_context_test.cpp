@@ -11,7 +11,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace offscreen_context_test {
 
 TEST(OffscreenContext, IsHadFromEglAndCurrentAtOnce) {
   auto context = OffscreenContext::create();
@@ -78,5 +78,5 @@ TEST_F(OffscreenContextDeathTest, SaysWhatEachWayLacks) {
 }
 // NOLINTEND(concurrency-mt-unsafe)
 
-}  // namespace
+}  // namespace offscreen_context_test
 }  // namespace nadir

@@ -21,7 +21,7 @@
 #include "tests/support/page_pixels.h"
 
 namespace nadir {
-namespace {
+namespace offscreen_renderer_test {
 
 /// Rectangles on a page: a unit of the scene is a pixel of a picture of that size, the origin its lower left corner.
 struct FlatScene {
@@ -243,5 +243,5 @@ TEST_F(Offscreen, APictureWithoutPixelsIsABrokenPrecondition) {
   EXPECT_THROW((void)offscreen->render(*scene.renderer, 40, 30, 0), std::logic_error);
 }
 
-}  // namespace
+}  // namespace offscreen_renderer_test
 }  // namespace nadir

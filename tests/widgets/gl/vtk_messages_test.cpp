@@ -13,7 +13,7 @@
 #include "widgets/gl/render_window.h"
 
 namespace nadir {
-namespace {
+namespace vtk_messages_test {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -121,5 +121,5 @@ TEST(PlainVtkMessage, KeepsTheBeginningOfWhatIsEndless) {
   EXPECT_LT(plain_vtk_message(shader).size(), 2'001U);
 }
 
-}  // namespace
+}  // namespace vtk_messages_test
 }  // namespace nadir

@@ -4,7 +4,7 @@
 #include "widgets/kit/headless_ui.h"
 
 namespace nadir::kit {
-namespace {
+namespace areas_test {
 
 /// Keeps what an area of 400 x 300 said in each frame.
 struct Watched {
@@ -161,5 +161,5 @@ TEST(Areas, CanvasAndImagesNeedAnArea) {
   EXPECT_THROW(screen.frame([](Ui& ui) { ui.image(7); }), std::logic_error);
 }
 
-}  // namespace
+}  // namespace areas_test
 }  // namespace nadir::kit

@@ -6,7 +6,7 @@
 #include "widgets/kit/icons.h"
 
 namespace nadir::kit {
-namespace {
+namespace keys_test {
 
 TEST(Chords, AreReadAndWrittenAlike) {
   for (const char* const text :
@@ -135,5 +135,5 @@ TEST(Contexts, LiveBesideEachOther) {
   EXPECT_TRUE(first.click("Go", draw));
 }
 
-}  // namespace
+}  // namespace keys_test
 }  // namespace nadir::kit

@@ -4,7 +4,7 @@
 #include "widgets/kit/headless_ui.h"
 
 namespace nadir::kit {
-namespace {
+namespace layout_test {
 
 TEST(Layout, PutsTextIntoTheMiddleOfItsLine) {
   HeadlessUi screen;
@@ -209,5 +209,5 @@ TEST(Words, AreMeasuredInTheirFace) {
   });
 }
 
-}  // namespace
+}  // namespace layout_test
 }  // namespace nadir::kit

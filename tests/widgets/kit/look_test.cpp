@@ -9,7 +9,7 @@
 #include "widgets/kit/ui_pictures.h"
 
 namespace nadir::kit {
-namespace {
+namespace look_test {
 
 Rgba unpacked(std::uint32_t colour) {
   return {static_cast<std::uint8_t>(colour), static_cast<std::uint8_t>(colour >> 8U),
@@ -126,5 +126,5 @@ TEST(Pictures, AreToldFromTexturesOfOpenGl) {
   EXPECT_EQ(UiPictures::picture_of(UiPictures::font_id()), 1U);
 }
 
-}  // namespace
+}  // namespace look_test
 }  // namespace nadir::kit

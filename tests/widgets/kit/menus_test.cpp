@@ -4,7 +4,7 @@
 #include "widgets/kit/headless_ui.h"
 
 namespace nadir::kit {
-namespace {
+namespace menus_test {
 
 /// A menu bar in a region; what was chosen comes back.
 std::vector<std::string> draw_menus(Ui& ui) {
@@ -153,5 +153,5 @@ TEST(Notices, StandAboveEachOtherAndAskForWhatWasClicked) {
   EXPECT_TRUE(screen.shows("libpng: read error"));
 }
 
-}  // namespace
+}  // namespace menus_test
 }  // namespace nadir::kit

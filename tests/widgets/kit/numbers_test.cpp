@@ -7,7 +7,7 @@
 #include "widgets/kit/number_text.h"
 
 namespace nadir::kit {
-namespace {
+namespace numbers_test {
 
 /// A number with a model behind it, which follows at once or only what was committed.
 class Numbers : public testing::Test {
@@ -269,5 +269,5 @@ TEST(NumberText, KeepsWhatItShows) {
   EXPECT_EQ(step_of(options), 0.01);
 }
 
-}  // namespace
+}  // namespace numbers_test
 }  // namespace nadir::kit

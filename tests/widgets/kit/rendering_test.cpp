@@ -12,7 +12,7 @@
 #include "widgets/kit/ui_renderer.h"
 
 namespace nadir::kit {
-namespace {
+namespace rendering_test {
 
 /// Draws frames with a graphics context of its own, which needs no display.
 class Rendering : public testing::Test {
@@ -169,5 +169,5 @@ TEST_F(Rendering, RefusesPicturesLargerThanOpenGlDraws) {
       testing::StartsWith("a picture of 100000 x 10 pixels is larger than OpenGL can draw"));
 }
 
-}  // namespace
+}  // namespace rendering_test
 }  // namespace nadir::kit

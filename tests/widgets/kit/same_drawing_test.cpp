@@ -15,7 +15,7 @@
 #include "widgets/views/mode_marks.h"
 
 namespace nadir::kit {
-namespace {
+namespace same_drawing_test {
 
 /// Draws the same on a figure's canvas and in the window, and compares pixels.
 class SameDrawing : public testing::Test {
@@ -153,5 +153,5 @@ TEST_F(SameDrawing, OfModesScaleBarAndNorth) {
       "modes");
 }
 
-}  // namespace
+}  // namespace same_drawing_test
 }  // namespace nadir::kit

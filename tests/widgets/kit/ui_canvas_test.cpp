@@ -10,7 +10,7 @@
 #include "widgets/kit/headless_ui.h"
 
 namespace nadir::kit {
-namespace {
+namespace ui_canvas_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 const Rgba kInk{10, 20, 30};
@@ -253,5 +253,5 @@ TEST_F(DrawnOnUi, SmallImagesAreRectanglesAndLargeOnesTextures) {
   EXPECT_EQ(picture_count, 1U) << "the same pixels are one texture";
 }
 
-}  // namespace
+}  // namespace ui_canvas_test
 }  // namespace nadir::kit

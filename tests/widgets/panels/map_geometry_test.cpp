@@ -10,7 +10,7 @@
 #include "tests/support/drawn_map.h"
 
 namespace nadir {
-namespace {
+namespace map_geometry_test {
 
 using ::testing::DoubleNear;
 using ::testing::HasSubstr;
@@ -232,5 +232,5 @@ TEST(GridLines, AreNoneWhereNeighboursWouldBeTheSameNumber) {
   EXPECT_THAT(grid_lines({{std::nan(""), 0.0}, 1.0, kPi / 2.0}, kPage, 90.0), IsEmpty());
 }
 
-}  // namespace
+}  // namespace map_geometry_test
 }  // namespace nadir

@@ -11,7 +11,7 @@
 #include "tests/core/session/made_run.h"
 
 namespace nadir {
-namespace {
+namespace map_trails_test {
 
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -127,5 +127,5 @@ TEST(RunPaths, AreMadeOnceADocumentAndDroppedWithIt) {
   EXPECT_EQ(cache.size(), 1U);
 }
 
-}  // namespace
+}  // namespace map_trails_test
 }  // namespace nadir

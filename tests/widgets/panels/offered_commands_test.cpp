@@ -7,7 +7,7 @@
 #include "tests/widgets/panels/asked.h"
 
 namespace nadir {
-namespace {
+namespace offered_commands_test {
 
 struct Looks {
   ViewState view = default_view_state();
@@ -82,5 +82,5 @@ TEST(OfferedCommands, MarkTheThemeThatTheWindowHas) {
   EXPECT_EQ(offered_as(offered, "theme dark").is_on, false);
 }
 
-}  // namespace
+}  // namespace offered_commands_test
 }  // namespace nadir

@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace nadir {
-namespace {
+namespace panel_text_test {
 
 TEST(NameOf, IsTheLastNameWithoutARunsEnding) {
   EXPECT_EQ(name_of("/flights/loop medium 7.nadir"), "loop medium 7");
@@ -70,5 +70,5 @@ TEST(LabelOf, ShowsOneThingAndIsToldApartByAnother) {
   EXPECT_EQ(label_of("loop", "/a/loop"), "loop##/a/loop");
 }
 
-}  // namespace
+}  // namespace panel_text_test
 }  // namespace nadir

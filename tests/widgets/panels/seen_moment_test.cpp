@@ -9,7 +9,7 @@
 #include "tests/widgets/panels/made_moment.h"
 
 namespace nadir {
-namespace {
+namespace seen_moment_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -143,5 +143,5 @@ TEST(CameraPictureCache, MakesAPictureOnceAndKeepsItWhileTheNextIsDecoded) {
   EXPECT_EQ(cache.of(camera, CameraKind::kDepth, 0.6).pixels->width(), 2);
 }
 
-}  // namespace
+}  // namespace seen_moment_test
 }  // namespace nadir

@@ -8,7 +8,7 @@
 #include "widgets/panels/shortcut_sheet.h"
 
 namespace nadir {
-namespace {
+namespace shortcuts_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -129,5 +129,5 @@ TEST(ShortcutSheet, ClosesByEscape) {
   EXPECT_THAT(texts(sheet.screen.press("Escape", sheet)), testing::Contains("show none"));
 }
 
-}  // namespace
+}  // namespace shortcuts_test
 }  // namespace nadir

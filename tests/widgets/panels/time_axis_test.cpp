@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace nadir {
-namespace {
+namespace time_axis_test {
 
 using ::testing::ElementsAre;
 using ::testing::Eq;
@@ -99,5 +99,5 @@ TEST(ParseClock, RefusesWhatIsNoTime) {
   }
 }
 
-}  // namespace
+}  // namespace time_axis_test
 }  // namespace nadir

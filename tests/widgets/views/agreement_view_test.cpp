@@ -10,7 +10,7 @@
 #include "tests/widgets/views/map_page.h"
 
 namespace nadir {
-namespace {
+namespace agreement_view_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -166,5 +166,5 @@ TEST_F(AgreementOnTheGround, ShowsNothingOfNothing) {
   EXPECT_EQ(draw(scene, camera, kWidth, kHeight), empty);
 }
 
-}  // namespace
+}  // namespace agreement_view_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "widgets/views/frustum_view.h"
 
 namespace nadir {
-namespace {
+namespace camera_frustum_test {
 
 const CameraModel kCamera{64, 48, 50.0, 55.0, 30.0, 25.0};
 
@@ -155,5 +155,5 @@ TEST_F(Frustum, IsMovedAndHiddenInPlace) {
   EXPECT_EQ(draw(scene, camera), Raster<Rgba>(kPageWidth, kPageHeight, kNothing));
 }
 
-}  // namespace
+}  // namespace camera_frustum_test
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace nadir {
-namespace {
+namespace chart_axis_test {
 
 using testing::DoubleNear;
 using testing::ElementsAre;
@@ -286,5 +286,5 @@ TEST(ValueScale, PutsTheLowEndOfALogarithmicAxisAtZero) {
   EXPECT_DOUBLE_EQ(ValueScale{}.plotted(-7.0), -7.0);
 }
 
-}  // namespace
+}  // namespace chart_axis_test
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include "tests/widgets/views/sample_charts.h"
 
 namespace nadir {
-namespace {
+namespace chart_bars_test {
 
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -92,5 +92,5 @@ TEST(XyChart, DrawsLevelsOverTheWholeWidth) {
   EXPECT_THAT(canvas.strokes_in({9, 9, 9}), IsEmpty());
 }
 
-}  // namespace
+}  // namespace chart_bars_test
 }  // namespace nadir

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace nadir {
-namespace {
+namespace chart_layout_test {
 
 using testing::ElementsAre;
 using testing::EndsWith;
@@ -204,5 +204,5 @@ TEST(ChartType, HasTheSizesOfPaper) {
   EXPECT_FALSE(type.title.is_bold);
 }
 
-}  // namespace
+}  // namespace chart_layout_test
 }  // namespace nadir

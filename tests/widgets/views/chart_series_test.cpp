@@ -8,7 +8,7 @@
 #include <limits>
 
 namespace nadir {
-namespace {
+namespace chart_series_test {
 
 using testing::Each;
 using testing::ElementsAre;
@@ -214,5 +214,5 @@ TEST(DrawnBand, OfManyPointsAtOneXIsDrawnWithoutDivisionByZero) {
   EXPECT_THAT(pieces[0].x, Each(3.0));
 }
 
-}  // namespace
+}  // namespace chart_series_test
 }  // namespace nadir

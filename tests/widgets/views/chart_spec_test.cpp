@@ -8,7 +8,7 @@
 #include "tests/widgets/views/sample_charts.h"
 
 namespace nadir {
-namespace {
+namespace chart_spec_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -56,5 +56,5 @@ TEST(ChartLegend, DoesNotNameWhatIsNotDrawn) {
               ElementsAre(LegendEntry{"not above 0", kOrange, LegendEntry::Kind::kBar}));
 }
 
-}  // namespace
+}  // namespace chart_spec_test
 }  // namespace nadir

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 namespace nadir {
-namespace {
+namespace chart_texts_test {
 
 using testing::Each;
 using testing::ElementsAre;
@@ -116,5 +116,5 @@ TEST(StyleFor, TakesTheFaceOfWordsOnlyForARaisedMinus) {
   EXPECT_EQ(raised.size_px, numbers.size_px);
 }
 
-}  // namespace
+}  // namespace chart_texts_test
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include "tests/widgets/views/sample_charts.h"
 
 namespace nadir {
-namespace {
+namespace chart_unusual_test {
 
 using testing::HasSubstr;
 using testing::SizeIs;
@@ -116,5 +116,5 @@ TEST(XyChart, DrawsNoMorePointsThanPixelsCanShow) {
               0.01);
 }
 
-}  // namespace
+}  // namespace chart_unusual_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "tests/widgets/views/sample_charts.h"
 
 namespace nadir {
-namespace {
+namespace chart_values_test {
 
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -73,5 +73,5 @@ TEST(XyChart, WritesValuesOnlyWhereTheyAreAskedFor) {
   for (const auto& text : canvas.texts) EXPECT_NE(text.line, "7.40");
 }
 
-}  // namespace
+}  // namespace chart_values_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "widgets/canvas/svg_canvas.h"
 
 namespace nadir {
-namespace {
+namespace chart_words_test {
 
 using testing::Contains;
 using testing::Ge;
@@ -237,5 +237,5 @@ TEST(ChartWords, DoNotFollowAMarginThatLeavesNoPlot) {
   expect_texts_inside_and_apart(drawn(spec, where), where);
 }
 
-}  // namespace
+}  // namespace chart_words_test
 }  // namespace nadir

@@ -9,7 +9,7 @@
 #include "widgets/views/theme.h"
 
 namespace nadir {
-namespace {
+namespace cloud_view_test {
 
 class Cloud : public SpacePage {
  protected:
@@ -136,5 +136,5 @@ TEST_F(Cloud, IsReplacedMovedHiddenAndTakenAwayInPlace) {
   EXPECT_EQ(draw(scene, camera), Raster<Rgba>(kPageWidth, kPageHeight, kNothing));
 }
 
-}  // namespace
+}  // namespace cloud_view_test
 }  // namespace nadir

@@ -11,7 +11,7 @@
 #include "tests/widgets/views/drawn_chart.h"
 
 namespace nadir {
-namespace {
+namespace graticule_test {
 
 constexpr PageRect kMap{60, 40, 400, 300};
 
@@ -266,5 +266,5 @@ TEST(GraticuleLines, AreThinOnPaperWhateverTheSizeOfThePage) {
   }
 }
 
-}  // namespace
+}  // namespace graticule_test
 }  // namespace nadir

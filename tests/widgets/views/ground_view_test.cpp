@@ -14,7 +14,7 @@
 #include "widgets/views/theme.h"
 
 namespace nadir {
-namespace {
+namespace ground_view_test {
 
 using Layer = OverheadTiles::Layer;
 
@@ -172,5 +172,5 @@ TEST_F(Ground, CanBeMadeTransparent) {
   EXPECT_EQ(draw(scene, camera).at(kPageWidth / 2, kPageHeight / 2).alpha, 255);
 }
 
-}  // namespace
+}  // namespace ground_view_test
 }  // namespace nadir

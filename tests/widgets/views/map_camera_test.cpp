@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 namespace nadir {
-namespace {
+namespace map_camera_test {
 
 constexpr double kPi = std::numbers::pi;
 constexpr PageRect kPage{100, 50, 400, 200};
@@ -76,5 +76,5 @@ TEST(MapCamera, CannotFillNothing) {
   EXPECT_THROW((void)MapCamera::fit({0, 0}, {1, 1}, {0, 0, 10, 0}), std::logic_error);
 }
 
-}  // namespace
+}  // namespace map_camera_test
 }  // namespace nadir

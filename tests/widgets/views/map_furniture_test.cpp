@@ -9,7 +9,7 @@
 #include "tests/widgets/views/drawn_chart.h"
 
 namespace nadir {
-namespace {
+namespace map_furniture_test {
 
 constexpr PageRect kMap{60, 40, 400, 300};
 
@@ -71,5 +71,5 @@ TEST(NorthArrow, PointsNorthHoweverTheMapIsTurned) {
   }
 }
 
-}  // namespace
+}  // namespace map_furniture_test
 }  // namespace nadir

@@ -10,7 +10,7 @@
 #include "tests/widgets/views/drawn_chart.h"
 
 namespace nadir {
-namespace {
+namespace mode_marks_test {
 
 using testing::ElementsAre;
 
@@ -147,5 +147,5 @@ TEST(Modes, ThatAreNotFiniteArePassedOver) {
   EXPECT_TRUE(drawn({}).fills.empty());
 }
 
-}  // namespace
+}  // namespace mode_marks_test
 }  // namespace nadir

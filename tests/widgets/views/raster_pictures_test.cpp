@@ -7,7 +7,7 @@
 #include "widgets/views/theme.h"
 
 namespace nadir {
-namespace {
+namespace raster_pictures_test {
 
 TEST(ClassPicture, HasEachClassInItsColourInItsPlace) {
   Raster<ClassId> labels(16, 17);
@@ -34,5 +34,5 @@ TEST(ColourPicture, IsOpaqueAndHasTheSameColours) {
   EXPECT_EQ(picture.at(1, 0), (Rgba{250, 128, 0, 255}));
 }
 
-}  // namespace
+}  // namespace raster_pictures_test
 }  // namespace nadir

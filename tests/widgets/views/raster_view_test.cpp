@@ -7,7 +7,7 @@
 #include "tests/widgets/views/map_page.h"
 
 namespace nadir {
-namespace {
+namespace raster_view_test {
 
 constexpr int kWidth = 90;
 constexpr int kHeight = 60;
@@ -226,5 +226,5 @@ TEST_F(RasterOnTheGround, CannotBeEmpty) {
   EXPECT_THROW(view.show({}, {}, {1.0, 1.0}, false), std::logic_error);
 }
 
-}  // namespace
+}  // namespace raster_view_test
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include "tests/widgets/views/space_page.h"
 
 namespace nadir {
-namespace {
+namespace space_camera_test {
 
 constexpr PageRect kWhere{30.0, 10.0, 400.0, 300.0};
 
@@ -104,5 +104,5 @@ TEST(SpaceCamera, FillsTheWidthFromTheDistanceThatItNames) {
   EXPECT_NEAR(right_end->x(), kWhere.right(), 1e-9);
 }
 
-}  // namespace
+}  // namespace space_camera_test
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include "widgets/views/space_picture.h"
 
 namespace nadir {
-namespace {
+namespace space_lines_test {
 
 const Eigen::Vector3d kBreak = Eigen::Vector3d::Constant(std::nan(""));
 
@@ -125,5 +125,5 @@ TEST_F(Lines, ArePointsOfAnInchWide) {
   EXPECT_EQ(count_of(draw(scene, camera), kRed), 0);
 }
 
-}  // namespace
+}  // namespace space_lines_test
 }  // namespace nadir

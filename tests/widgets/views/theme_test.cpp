@@ -9,7 +9,7 @@
 #include "tests/support/page_pixels.h"
 
 namespace nadir {
-namespace {
+namespace theme_test {
 
 constexpr std::array kThemes = {ThemeName::kLight, ThemeName::kDark};
 constexpr std::array kVisions = {ColourVision::kUsual, ColourVision::kProtanopia,
@@ -244,5 +244,5 @@ TEST(ValueColour, IsClampedAndNothingForNoNumber) {
   EXPECT_LE(difference(value_colour(ValueColours::kViridis, 1.0), {253, 231, 37}), 2);
 }
 
-}  // namespace
+}  // namespace theme_test
 }  // namespace nadir

@@ -16,7 +16,7 @@
 #include "widgets/canvas/svg_canvas.h"
 
 namespace nadir {
-namespace {
+namespace xy_chart_test {
 
 using testing::Each;
 using testing::HasSubstr;
@@ -307,5 +307,5 @@ TEST(XyChart, KeptAndMarkedLooksLikeOneMadeWithTheMark) {
   EXPECT_EQ(encode_png(pixels_of(kept)), encode_png(pixels_of(spec)));
 }
 
-}  // namespace
+}  // namespace xy_chart_test
 }  // namespace nadir
