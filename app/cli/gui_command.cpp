@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <stdlib.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdlib>
+#include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/cli/arguments.h"
@@ -36,7 +40,8 @@ void add_arguments(CLI::App& app, GuiArguments& values) {
                  "Of text and controls, 0.75 to 3; default the preference's")
       ->type_name("NUMBER");
   app.add_option("--config", values.config,
-                 "For preferences and the last session, default ~/.config/nadir")
+                 "For preferences and the last session, default ~/.config/nadir; with --script or "
+                 "--screenshot one for this time only")
       ->type_name("FOLDER");
   app.add_option("--script", values.script,
                  "Do what a file says, an action a line, without a display")
@@ -61,6 +66,28 @@ fs::path folder_of_user(const char* name, const char* fallback) {
   const std::string home = variable("HOME");
   return (home.empty() ? fs::temp_directory_path() : fs::path(home) / fallback) / "nadir";
 }
+
+/// A folder that goes with the program.
+class FolderForOnce {
+ public:
+  /// Where none can be made, nothing is kept.
+  FolderForOnce() {
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "nadir-XXXXXX").string();
+    if (!error && ::mkdtemp(name.data()) != nullptr) path_ = name;
+  }
+  ~FolderForOnce() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+  FolderForOnce(const FolderForOnce&) = delete;
+  FolderForOnce& operator=(const FolderForOnce&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
 
 Result<void> take_size(const std::string& text, GuiRequest& request) {
   if (text.empty()) return {};
@@ -102,8 +129,15 @@ int run_gui(std::span<const std::string> arguments, std::ostream& out, std::ostr
   }
   request.program = own_program();
   request.restores = !values.is_fresh;
-  request.places.config = values.config.empty() ? folder_of_user("XDG_CONFIG_HOME", ".config")
-                                                : fs::absolute(values.config);
+  if (!values.script.empty()) request.script = values.script;
+  if (!values.screenshot.empty()) request.screenshot = values.screenshot;
+  const bool is_unseen = request.script || request.screenshot;
+  // What nobody sees must not change what somebody left open.
+  std::optional<FolderForOnce> own_config;
+  if (is_unseen && values.config.empty()) own_config.emplace();
+  request.places.config = own_config              ? own_config->path()
+                          : values.config.empty() ? folder_of_user("XDG_CONFIG_HOME", ".config")
+                                                  : fs::absolute(values.config);
   request.places.data = folder_of_user("XDG_DATA_HOME", ".local/share");
   request.places.bundled_map = find_bundled("maps/proving-ground");
   request.places.recipe_in_figure = [](const fs::path& figure) -> Result<std::string> {
@@ -112,9 +146,6 @@ int run_gui(std::span<const std::string> arguments, std::ostream& out, std::ostr
     return recipe_text(*recipe);
   };
   for (std::string& file : request.files) file = fs::absolute(file).lexically_normal().string();
-  if (!values.script.empty()) request.script = values.script;
-  if (!values.screenshot.empty()) request.screenshot = values.screenshot;
-  const bool is_unseen = request.script || request.screenshot;
   const auto done = is_unseen ? run_gui_unseen(request) : run_desktop_gui(request);
   if (done) return kDone;
   const int status = report_error(err, done.error());

@@ -100,6 +100,7 @@ class Recorder {
       }
     }
     steps_.push_back(evaluated_step(step));
+    has_evidence_ = has_evidence_ || step.agreement.has_value();
     last_.estimate = step.estimate;
     return writer_ ? writer_->write(step) : Result<void>();
   }
@@ -115,9 +116,9 @@ class Recorder {
     return evaluation;
   }
 
-  /// Keeps the steps so far. @returns what was done and where they are, for people.
-  std::string stop() {
-    std::string text = fmt::format("stopped after {} steps", steps_.size());
+  /// Keeps the steps so far. @param how  It ended: "stopped". @returns what was done and where they are, for people.
+  std::string stop(const char* how) {
+    std::string text = fmt::format("{} after {} steps", how, steps_.size());
     if (!writer_) return text;
     text += "; they are in " + task_.run->string();
     const fs::path earlier = writer_->stop();
@@ -132,6 +133,17 @@ class Recorder {
     writer_.reset();
   }
 
+  /// What became of the file of a run that failed: its steps stay where the map had a say in any of them, else it goes and
+  /// the run before comes back. @returns the error, with the former in words.
+  Error fail_with(Error error) {
+    if (writer_ && has_evidence_) {
+      error.message += "; it " + stop("failed");
+    } else {
+      discard();
+    }
+    return error;
+  }
+
   [[nodiscard]] std::size_t step_count() const { return steps_.size(); }
   [[nodiscard]] std::span<const EvaluatedStep> steps() const { return steps_; }
   [[nodiscard]] const RunStep& last() const { return last_; }
@@ -143,12 +155,14 @@ class Recorder {
   std::vector<RunStep> earlier_;
   std::vector<EvaluatedStep> steps_;
   RunStep last_;
+  bool has_evidence_ = false;
 };
 
 /// A run from which to go on, opened.
 struct EarlierSteps {
   ResumePoint point;
   std::vector<RunStep> steps;  ///< All up to the point.
+  std::string map_hash;        ///< Empty where the run does not say it.
 };
 
 Result<EarlierSteps> read_earlier(const LocaliseFrom& from) {
@@ -159,7 +173,7 @@ Result<EarlierSteps> read_earlier(const LocaliseFrom& from) {
   auto steps = run->steps();
   if (!steps) return forward_error(steps);
   std::erase_if(*steps, [&](const RunStep& step) { return step.step > point->after.step; });
-  return EarlierSteps{std::move(*point), std::move(*steps)};
+  return EarlierSteps{std::move(*point), std::move(*steps), run->header().map_hash};
 }
 
 }  // namespace
@@ -198,6 +212,12 @@ Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task,
     if (!task.is_quiet) {
       err << fmt::format("goes on from step {}, {:.2f} s, of {}\n", earlier->point.after.step,
                          earlier->point.elapsed_s, earlier->point.run);
+      if (!earlier->map_hash.empty() && earlier->map_hash != content_hash(index->map())) {
+        err << fmt::format(
+            "{} was made on other cells than those of {}: what differs may be the "
+            "map's doing\n",
+            earlier->point.run, map_path.string());
+      }
     }
     request.resume_after = std::move(earlier->point);
     earlier_steps = std::move(earlier->steps);
@@ -217,18 +237,12 @@ Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task,
         [&recorder](const RunStep& step) { return recorder.record(step); }, context);
   }
   if (!summary && summary.error().code == ErrorCode::kCancelled && recorder.step_count() > 0) {
-    return fail(ErrorCode::kCancelled, "{}", recorder.stop());
+    return fail(ErrorCode::kCancelled, "{}", recorder.stop("stopped"));
   }
-  if (!summary) {
-    recorder.discard();
-    return tl::unexpected(named_after_flag(summary.error()));
-  }
+  if (!summary) return tl::unexpected(recorder.fail_with(named_after_flag(summary.error())));
   if (!task.is_quiet) say_what_was_left_out(*summary, err);
   auto evaluation = recorder.finish();
-  if (!evaluation) {
-    recorder.discard();
-    return forward_error(evaluation);
-  }
+  if (!evaluation) return tl::unexpected(recorder.fail_with(evaluation.error()));
   if (task.trajectory) {
     const auto written = write_estimated_trajectory(
         *task.trajectory, recorder.steps(), index->map().plane.origin(), evaluation->flight);

@@ -40,7 +40,8 @@ struct LocaliseResult {
 /// file then holds the steps so far, an earlier one of that name that was complete or longer lies beside it, where the
 /// message says, and no trajectory is written. A run that goes on from another holds that one's steps before its own, in file,
 /// evaluation and trajectory.
-/// @errors as localise_flight: then no new run file is left, and an earlier one of that name is as it was. kIo or
+/// @errors as localise_flight: before the first step no new run file is left, and an earlier one of that name is as it was;
+/// after that the steps so far stay as where it is stopped. kIo or
 /// kUnsupported where run file or trajectory cannot be written or would take the place of something else, before any work.
 /// A trajectory that cannot be written at the end (kIo) leaves the run file whole.
 [[nodiscard]] Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task,

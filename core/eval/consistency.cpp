@@ -75,6 +75,13 @@ double chi_square_quantile(double probability, double degrees_of_freedom) {
   return boost::math::quantile(boost::math::chi_squared(degrees_of_freedom), probability);
 }
 
+StepNeesBounds step_nees_bounds() {
+  StepNeesBounds bounds;
+  bounds.lower = chi_square_quantile(0.025, bounds.degrees_of_freedom);
+  bounds.upper = chi_square_quantile(0.975, bounds.degrees_of_freedom);
+  return bounds;
+}
+
 StepConsistency assess_step(const Eigen::Vector3d& error, const Eigen::Matrix3d& covariance) {
   static const double ellipse_limit = chi_square_quantile(0.95, 2.0);
   const Eigen::Vector2d position_error = error.head<2>();

@@ -58,6 +58,16 @@ struct Consistency {
 /// @param probability  In (0, 1).   @param degrees_of_freedom  Above 0.
 [[nodiscard]] double chi_square_quantile(double probability, double degrees_of_freedom);
 
+/// Between which the NEES of one step of a consistent filter lies 95 times in 100: the chi-square quantiles of 2.5 and 97.5 %
+/// for x, y and heading, about 0.22 and 9.35; above the upper one a step is called over-confident, below the lower one it is
+/// cautious, which harms nobody. One step outside of them proves nothing: one in twenty of a consistent filter is. Of the mean
+/// of many steps see Consistency.
+struct StepNeesBounds {
+  double lower = 0.0, upper = 0.0;
+  int degrees_of_freedom = 3;
+};
+[[nodiscard]] StepNeesBounds step_nees_bounds();
+
 /// Whether one estimate knew how wrong it was.
 struct StepConsistency {
   std::optional<double> nees;    ///< Nothing where normalised_error_squared() gives nothing.

@@ -6,6 +6,7 @@
 #include "core/base/hash.h"
 #include "core/base/version.h"
 #include "core/run/localise_flight.h"
+#include "core/run/run_prior.h"
 
 namespace nadir {
 namespace {
@@ -16,18 +17,11 @@ void add_pose(Hash& hash, const Rigid3& pose) {
 }
 
 /// The start as text, so that the run can be made again.
-std::string prior_text(const LocaliseRequest& request) {
+std::string start_text(const LocaliseRequest& request) {
   if (const auto& resumed = request.resume_after) {
     return fmt::format("particles of step {} of {}", resumed->after.step, resumed->run);
   }
-  const std::optional<Prior>& prior = request.prior;
-  if (!prior) return "truth of the first frame";
-  const auto* gaussian = std::get_if<GaussianPrior>(&*prior);
-  if (gaussian == nullptr) return "global";
-  return fmt::format("{} m east, {} m north, yaw {} rad; sigma {} m, {} rad",
-                     gaussian->mean_in_enu.x_m, gaussian->mean_in_enu.y_m,
-                     gaussian->mean_in_enu.yaw_rad, gaussian->position_sigma_m,
-                     gaussian->yaw_sigma_rad);
+  return prior_text(request.prior);
 }
 
 }  // namespace
@@ -80,7 +74,7 @@ RunHeader run_header(const FlightRecording& flight,
   for (const OptionText& option : option_texts(request.options)) {
     header.options[option.name] = option.value;
   }
-  header.options["prior"] = prior_text(request);
+  header.options[kPriorOption] = start_text(request);
   if (request.resume_after) {
     header.parent_run = request.resume_after->run;
     header.started_at_s = request.resume_after->after.time_s;

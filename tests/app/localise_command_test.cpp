@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -10,7 +11,7 @@
 #include "tests/app/short_flight.h"
 
 namespace nadir {
-namespace {
+namespace localise_command_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -140,6 +141,7 @@ class DamagedFlight : public LocaliseCommand {
  protected:
   void SetUp() override {
     fs::remove_all(path("damaged"));
+    fs::remove(path("damaged.nadir"));
     fs::copy(path("flight"), path("damaged"), fs::copy_options::recursive);
   }
   static std::vector<std::string> localise_damaged() {
@@ -199,10 +201,10 @@ TEST_F(DamagedFlight, IsRefusedWhereNoTopviewSaysAnything) {
   EXPECT_FALSE(fs::exists(path("damaged.nadir")));
 }
 
-TEST_F(DamagedFlight, LeavesAnEarlierRunAsItWasWhenTheNewOneFails) {
+TEST_F(DamagedFlight, LeavesAnEarlierRunAsItWasWhenTheNewOneFailsAtOnce) {
   ASSERT_EQ(run_program(localise_damaged()).status, 0);
   const std::string before = run_program({"evaluate", path("damaged.nadir"), "--json"}).out;
-  fs::remove(some_file("depth"));
+  fs::remove_all(path("damaged") + "/depth");
   const auto refused = run_program(localise_damaged());
   EXPECT_EQ(refused.status, 1);
   EXPECT_EQ(run_program({"evaluate", path("damaged.nadir"), "--json"}).out, before);
@@ -211,5 +213,26 @@ TEST_F(DamagedFlight, LeavesAnEarlierRunAsItWasWhenTheNewOneFails) {
   EXPECT_FALSE(fs::exists(path("damaged.nadir")));
 }
 
-}  // namespace
+TEST_F(DamagedFlight, KeepsTheStepsOfARunThatFailsLaterBesideTheRunBefore) {
+  ASSERT_EQ(run_program(localise_damaged()).status, 0);
+  const int whole = RunReader::open(path("damaged.nadir")).value().step_count();
+  const fs::path image =
+      some_file("depth");  // a missing one would be noticed before the first step
+  fs::resize_file(image, fs::file_size(image) / 2);
+  const auto refused = run_program(localise_damaged());
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr(" steps; they are in " + path("damaged.nadir")));
+  const auto now = RunReader::open(path("damaged.nadir")).value();
+  EXPECT_FALSE(now.is_complete());
+  EXPECT_GT(now.step_count(), 0);
+  EXPECT_LT(now.step_count(), whole);
+  const std::string kept = path("damaged.nadir.earlier-" + std::to_string(::getpid()));
+  EXPECT_THAT(refused.err, HasSubstr("the run that was there before is in " + kept));
+  const auto before = RunReader::open(kept).value();
+  EXPECT_TRUE(before.is_complete());
+  EXPECT_EQ(before.step_count(), whole);
+  fs::remove(kept);
+}
+
+}  // namespace localise_command_test
 }  // namespace nadir

@@ -8,7 +8,7 @@
 #include "tests/app/short_flight.h"
 
 namespace nadir {
-namespace {
+namespace localise_from_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -24,6 +24,19 @@ class LocaliseFrom : public ShortFlight {
   }
   static RunReader open(const std::string& name) { return RunReader::open(path(name)).value(); }
 };
+
+TEST_F(LocaliseFrom, SaysThatTheMapIsNotTheOneOfTheRun) {
+  OverheadMap map = street_map(0.2);
+  map.name = "crossing";
+  map.labels.at(3, 3) = map.labels.at(3, 3) == kRoad ? kCurb : kRoad;
+  ASSERT_TRUE(write_overhead_map(map, {.name = "crossing"}, std::nullopt, path("changed-map")));
+  const auto on = [](const std::string& name) {
+    return run_program({"localise", path("flight"), "--map", path(name), "--from",
+                        path("run.nadir") + "@5", "--frames", "2"});
+  };
+  EXPECT_THAT(on("changed-map").err, HasSubstr("was made on other cells than those of "));
+  EXPECT_THAT(on("map").err, testing::Not(HasSubstr("was made on other cells")));
+}
 
 TEST_F(LocaliseFrom, GoesOnFromARunWithItsStepsAndItsOptions) {
   const auto made =
@@ -149,5 +162,5 @@ TEST_F(LocaliseFrom, IsExplainedInTheHelp) {
                     HasSubstr("--from run.nadir@30")));
 }
 
-}  // namespace
+}  // namespace localise_from_test
 }  // namespace nadir

@@ -12,7 +12,7 @@
 #include "core/base/random.h"
 
 namespace nadir {
-namespace {
+namespace consistency_test {
 
 Eigen::Matrix3d tilted_covariance() {
   Eigen::Matrix3d covariance;
@@ -49,6 +49,13 @@ TEST(ChiSquareQuantile, AgreesWithPrintedTables) {
   EXPECT_NEAR(chi_square_quantile(0.95, 3), 7.8147279, 1e-6);
   EXPECT_NEAR(chi_square_quantile(0.025, 10), 3.2469728, 1e-6);
   EXPECT_NEAR(chi_square_quantile(0.975, 100), 129.5611972, 1e-5);
+}
+
+TEST(StepNeesBounds, AreTheQuantilesOfThreeDegreesOfFreedom) {
+  const StepNeesBounds bounds = step_nees_bounds();
+  EXPECT_EQ(bounds.degrees_of_freedom, 3);
+  EXPECT_NEAR(bounds.lower, 0.2158, 1e-4);  // as tables of the distribution have them
+  EXPECT_NEAR(bounds.upper, 9.3484, 1e-4);
 }
 
 TEST(ChiSquareQuantile, IsExactForTwoDegreesOfFreedomAndNormalForMany) {
@@ -259,5 +266,5 @@ TEST(Consistency, LeavesOutAndCountsWhatIsNoCovariance) {
   EXPECT_LE(*result.coverage_95, 37.0 / 40.0);
 }
 
-}  // namespace
+}  // namespace consistency_test
 }  // namespace nadir
