@@ -109,6 +109,7 @@ struct Titles {
     return "Preset " + file_name(one.name);
   }
   std::string operator()(const actions::Rerun& /*one*/) const { return "Rerun"; }
+  std::string operator()(const actions::ExportFigure& /*one*/) const { return "Export"; }
   std::string operator()(const actions::PasteView& /*one*/) const { return "Paste view"; }
   std::string operator()(const actions::AddBookmark& /*one*/) const { return "Bookmark"; }
   std::string operator()(const actions::EditBookmark& /*one*/) const { return "Note of bookmark"; }

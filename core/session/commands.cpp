@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <optional>
 
 #include "core/session/session.h"
 
@@ -15,22 +13,25 @@ constexpr std::string_view kFile = "File", kEdit = "Edit", kView = "View", kRunM
                            kGo = "Go", kHelp = "Help";
 
 constexpr std::array kCommands = {
-    Command{"open", "Open...", kFile, "Ctrl+O", false},
+    Command{"open", "Open...", kFile, "Ctrl+O", false, "file folder load"},
     Command{"open-demo", "Open the demo", kFile, "", true},
     Command{"close-run", "Close run...", kFile, "", false},
-    Command{"export", "Export figure or film...", kFile, "Ctrl+S", false},
-    Command{"export-table", "Export table...", kFile, "", false},
-    Command{"report", "Write report...", kFile, "", false},
-    Command{"quit", "Quit", kFile, "Ctrl+Q", true},
+    Command{"export", "Export figure or film...", kFile, "Ctrl+S", false,
+            "save picture video png svg pdf mp4"},
+    Command{"export-table", "Export table...", kFile, "", false, "csv spreadsheet"},
+    Command{"report", "Write report...", kFile, "", false, "html figures tables"},
+    Command{"save", "Save session now", kFile, "", true, "keep write retry preferences"},
+    Command{"quit", "Quit", kFile, "Ctrl+Q", true, "exit close leave"},
 
     Command{"undo", "Undo", kEdit, "Ctrl+Z", true},
     Command{"redo", "Redo", kEdit, "Ctrl+Y", true},
     Command{"copy-view", "Copy view", kEdit, "Ctrl+C", true},
     Command{"paste-view", "Paste view", kEdit, "Ctrl+V", false},
-    Command{"bookmark", "Bookmark this moment", kEdit, "B", true},
+    Command{"bookmark", "Bookmark this moment", kEdit, "B", true, "mark flag"},
     Command{"show bookmark", "Bookmark with a note...", kEdit, "Shift+B", true},
     Command{"dismiss", "Dismiss all notices", kEdit, "", true},
-    Command{"show preferences", "Preferences...", kEdit, "Ctrl+,", true},
+    Command{"show preferences", "Preferences...", kEdit, "Ctrl+,", true,
+            "options configuration memory"},
 
     Command{"fit flight", "Fit flight", kView, "F", true},
     Command{"fit map", "Fit map", kView, "Shift+F", true},
@@ -53,7 +54,8 @@ constexpr std::array kCommands = {
     Command{"split-view toggle", "Split view of two runs", kView, "S", true},
     Command{"layer picture toggle", "Layer: picture", kView, "1", true},
     Command{"layer labels toggle", "Layer: labels", kView, "2", true},
-    Command{"layer reconstruction toggle", "Layer: reconstruction", kView, "3", true},
+    Command{"layer reconstruction toggle", "Layer: reconstruction", kView, "3", true,
+            "points cloud"},
     Command{"layer error-surface toggle", "Layer: error surface", kView, "4", true},
     Command{"layer topview toggle", "Layer: topview", kView, "5", true},
     Command{"layer disagreement toggle", "Layer: disagreement", kView, "6", true},
@@ -61,43 +63,51 @@ constexpr std::array kCommands = {
     Command{"layer odometry toggle", "Layer: odometry", kView, "8", true},
     Command{"layer truth toggle", "Layer: truth", kView, "9", true},
     Command{"layer estimate toggle", "Layer: estimate", kView, "0", true},
-    Command{"layer ellipses toggle", "Layer: ellipses", kView, "", true},
+    Command{"layer ellipses toggle", "Layer: ellipses", kView, "", true, "covariance uncertainty"},
     Command{"layer modes toggle", "Layer: modes", kView, "", true},
-    Command{"layer graticule toggle", "Layer: graticule", kView, "", true},
+    Command{"layer graticule toggle", "Layer: graticule", kView, "", true, "grid"},
     Command{"layer legend toggle", "Layer: legend", kView, "", true},
     Command{"panel layers toggle", "Panel: layers", kView, "F2", true},
     Command{"panel runs toggle", "Panel: runs", kView, "F3", true},
     Command{"panel bookmarks toggle", "Panel: bookmarks", kView, "F4", true},
     Command{"panel moment toggle", "Panel: moment", kView, "F5", true},
-    Command{"panel why toggle", "Panel: why here?", kView, "F6", true},
-    Command{"panel settings toggle", "Panel: settings of the next run", kView, "F7", true},
+    Command{"panel why toggle", "Panel: why here?", kView, "F6", true, "explain diagnose cost"},
+    Command{"panel settings toggle", "Panel: settings of the next run", kView, "F7", true,
+            "options parameters"},
     Command{"panel scene toggle", "Panel: 3D scene", kView, "F8", true},
     Command{"panel topview toggle", "Panel: topview", kView, "F9", true},
     Command{"panel camera toggle", "Panel: camera", kView, "F10", true},
     Command{"panel timeline toggle", "Panel: timeline", kView, "F11", true},
     Command{"panel log toggle", "Panel: log", kView, "F12", true},
     Command{"panel status toggle", "Panel: status line", kView, "", true},
-    Command{"strip position-error toggle", "Strip: position error", kView, "", true},
-    Command{"strip orientation-error toggle", "Strip: orientation error", kView, "", true},
-    Command{"strip sigma toggle", "Strip: standard deviations", kView, "", true},
-    Command{"strip sample-size toggle", "Strip: effective sample size", kView, "", true},
+    Command{"strip position-error toggle", "Strip: position error", kView, "", true,
+            "rmse metres drift"},
+    Command{"strip orientation-error toggle", "Strip: orientation error", kView, "", true,
+            "yaw heading degrees rmse"},
+    Command{"strip sigma toggle", "Strip: standard deviations", kView, "", true,
+            "uncertainty spread"},
+    Command{"strip sample-size toggle", "Strip: effective sample size", kView, "", true,
+            "ess neff"},
     Command{"strip agreement toggle", "Strip: agreement with the map", kView, "", true},
-    Command{"strip nees toggle", "Strip: NEES coverage", kView, "", true},
-    Command{"strip update-time toggle", "Strip: update time", kView, "", true},
+    Command{"strip nees toggle", "Strip: NEES coverage", kView, "", true, "consistency"},
+    Command{"strip update-time toggle", "Strip: update time", kView, "", true,
+            "computing speed milliseconds"},
     Command{"strip streams toggle", "Strip: gaps in streams", kView, "", true},
     Command{"save-layout", "Keep layout...", kView, "", false},
     Command{"layout", "Use layout...", kView, "", false},
     Command{"layout default", "Default layout", kView, "", true},
-    Command{"theme dark", "Dark theme", kView, "", true},
-    Command{"theme light", "Light theme", kView, "", true},
+    Command{"theme dark", "Dark theme", kView, "", true, "night black"},
+    Command{"theme light", "Light theme", kView, "", true, "day white"},
     Command{"scale 0", "Interface scale: the screen's own", kView, "Ctrl+0", true},
     Command{"scale 1", "Interface scale 1", kView, "", true},
     Command{"scale 1.5", "Interface scale 1.5", kView, "", true},
     Command{"scale 2", "Interface scale 2", kView, "", true},
     Command{"reduced-motion toggle", "Reduced motion", kView, "", true},
 
-    Command{"rerun start", "Rerun from the start", kRunMenu, "Ctrl+R", true},
-    Command{"rerun cursor", "Rerun from here", kRunMenu, "Ctrl+Shift+R", true},
+    Command{"rerun start", "Rerun from the start", kRunMenu, "Ctrl+R", true, "localise again"},
+    Command{"rerun cursor", "Rerun from here", kRunMenu, "Ctrl+Shift+R", true,
+            "localise again cursor"},
+    Command{"rerun flight", "Localise the opened flight", kRunMenu, "", true, "run new"},
     Command{"cancel", "Stop the newest work", kRunMenu, "", true},
     Command{"option", "Set an option of the next run...", kRunMenu, "", false},
     Command{"preset", "Use a preset or recipe...", kRunMenu, "", false},
@@ -115,12 +125,12 @@ constexpr std::array kCommands = {
     Command{"go end", "To the end", kGo, "End", true},
     Command{"go previous-worst", "Previous worst moment", kGo, "[", true},
     Command{"go next-worst", "Next worst moment", kGo, "]", true},
-    Command{"go worst", "The worst moment", kGo, "W", true},
+    Command{"go worst", "The worst moment", kGo, "W", true, "worst"},
     Command{"go previous-bookmark", "Previous bookmark", kGo, "Ctrl+Left", true},
     Command{"go next-bookmark", "Next bookmark", kGo, "Ctrl+Right", true},
     Command{"divergence", "First divergence from a run...", kGo, "", false},
     Command{"seek", "To a time...", kGo, "", false},
-    Command{"show place", "To coordinates...", kGo, "G", true},
+    Command{"show place", "To coordinates...", kGo, "G", true, "place mgrs utm latitude longitude"},
     Command{"speed 0.1", "Speed 0.1", kGo, "", true},
     Command{"speed 0.5", "Speed 0.5", kGo, "", true},
     Command{"speed 1", "Speed 1", kGo, "", true},
@@ -131,56 +141,10 @@ constexpr std::array kCommands = {
     Command{"loop", "Play all, without a loop", kGo, "", true},
 
     Command{"show palette", "Command palette", kHelp, "Ctrl+P", true},
-    Command{"show shortcuts", "Shortcuts", kHelp, "?", true},
+    Command{"show shortcuts", "Shortcuts", kHelp, "?", true, "keys keyboard help"},
     Command{"show about", "About Nadir", kHelp, "", true},
     Command{"show none", "Close what lies over the window", kHelp, "Escape", true},
 };
-
-std::string in_lower_case(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return lower;
-}
-
-/// How badly a text fits what was typed; nothing where letters are missing. Both in lower case.
-std::optional<int> misfit(std::string_view typed, std::string_view text) {
-  if (text == typed) return 0;
-  const std::size_t whole = text.find(typed);
-  if (whole == 0) return 1;
-  if (whole != std::string_view::npos) return text[whole - 1] == ' ' ? 2 : 3;
-  // Letters in order; each jump that does not lead to the beginning of a word costs.
-  int cost = 4;
-  std::size_t at = 0;
-  for (const char letter : typed) {
-    if (letter == ' ') continue;
-    std::size_t found = text.find(letter, at);
-    if (found == std::string_view::npos) return std::nullopt;
-    if (found != at) {
-      const std::size_t word = text.find(std::string(" ") + letter, at > 0 ? at - 1 : 0);
-      if (word != std::string_view::npos && found != 0) {
-        found = word + 1;
-      } else if (found != 0) {
-        ++cost;
-      }
-    }
-    at = found + 1;
-  }
-  return cost;
-}
-
-std::optional<int> greedy_or_first(std::string_view typed, std::string_view text) {
-  if (const auto cost = misfit(typed, text)) return cost;
-  // Going to beginnings of words may have passed over letters that are needed.
-  std::size_t at = 0;
-  for (const char letter : typed) {
-    if (letter == ' ') continue;
-    at = text.find(letter, at);
-    if (at == std::string_view::npos) return std::nullopt;
-    ++at;
-  }
-  return 50;
-}
 
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -192,10 +156,14 @@ std::string why_no_run(const Session& session) {
   return run->document ? "" : "the run is still being read";
 }
 
-std::string why_no_rerun(const Session& session) {
-  if (session.flight() == nullptr) {
-    return session.active_run() == nullptr ? "open a run or a flight first"
-                                           : "the run's flight is not there";
+/// @param is_of_flight  What was opened by itself, whatever run is active.
+std::string why_no_rerun(const Session& session, bool is_of_flight) {
+  const OpenRun* const run = is_of_flight ? nullptr : session.active_run();
+  if (run != nullptr && !run->document && !run->is_live) return "the run is still being read";
+  if ((run != nullptr ? session.flight() : session.opened_flight()) == nullptr) {
+    if (run != nullptr) return "the run's flight is not there";
+    if (!session.view().flight_path.empty()) return "the flight is still being read";
+    return is_of_flight ? "open a flight first" : "open a run or a flight first";
   }
   const OpenMap* const map = session.map();
   if (map == nullptr) return "open a map first";
@@ -226,7 +194,7 @@ std::string why_not(const Command& command, const Session& session) {
   if (name == "go") return why_not_go(rest, session);
   if (name == "rerun") {
     std::string why = rest == "cursor" ? why_no_run(session) : "";
-    return why.empty() ? why_no_rerun(session) : why;
+    return why.empty() ? why_no_rerun(session, rest == "flight") : why;
   }
   if (is_one_of(name, {"run", "show-run", "close-run"})) {
     return session.runs().empty() ? "open a run first" : "";
@@ -249,33 +217,6 @@ std::string why_not(const Command& command, const Session& session) {
     return session.view().map.measured_in_enu_m.empty() ? "nothing is measured" : "";
   }
   return "";
-}
-
-std::vector<const Command*> matching_commands(std::string_view typed) {
-  while (!typed.empty() && typed.front() == ' ') typed.remove_prefix(1);
-  while (!typed.empty() && typed.back() == ' ') typed.remove_suffix(1);
-  struct Match {
-    const Command* command;
-    int misfit;
-  };
-  std::vector<Match> matches;
-  const std::string wanted = in_lower_case(typed);
-  for (const Command& command : kCommands) {
-    std::optional<int> best;
-    for (const std::string_view text : {command.title, command.text, command.shortcut}) {
-      if (text.empty()) continue;
-      const auto cost = greedy_or_first(wanted, in_lower_case(text));
-      if (cost && (!best || *cost < *best)) best = cost;
-    }
-    if (wanted.empty()) best = 0;
-    if (best) matches.push_back(Match{&command, *best});
-  }
-  std::stable_sort(matches.begin(), matches.end(),
-                   [](const Match& a, const Match& b) { return a.misfit < b.misfit; });
-  std::vector<const Command*> commands;
-  commands.reserve(matches.size());
-  for (const Match& match : matches) commands.push_back(match.command);
-  return commands;
 }
 
 }  // namespace nadir

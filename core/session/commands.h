@@ -20,7 +20,8 @@ struct Command {
   std::string_view menu;  ///< "File", "Edit", "View", "Run", "Go", "Help".
   std::string_view
       shortcut;  ///< "Ctrl+Shift+P", "Space", "["; empty: none. Names of keys as in look.md.
-  bool is_whole = true;  ///< False: arguments are asked for, "export" by a file name.
+  bool is_whole = true;        ///< False: arguments are asked for, "export" by a file name.
+  std::string_view also = {};  ///< Other words by which people look for it.
 };
 
 /// All, in the order of the menus; each shortcut stands for one command only.
@@ -29,8 +30,12 @@ struct Command {
 /// Whether it can be done now; else why not, in a few words for a tooltip ("open a run first").
 [[nodiscard]] std::string why_not(const Command& command, const Session& session);
 
-/// The best first: those whose title, words or shortcut have all letters of what was typed in order; ties by menu order.
+/// The best first. What was typed fits a title (or the words in `also`, or the command's own) as a whole, as its beginning,
+/// as beginnings of its words, as their initials run together ("fitpar"), as a part of a word, or by letters in the order of
+/// one word; each of these comes before the next. Among equals those chosen lately come first, then menu order.
 /// Every command for an empty text.
-[[nodiscard]] std::vector<const Command*> matching_commands(std::string_view typed);
+/// @param recent  Texts of commands, newest first.
+[[nodiscard]] std::vector<const Command*> matching_commands(
+    std::string_view typed, std::span<const std::string> recent = {});
 
 }  // namespace nadir

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/figure_request.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "core/base/settings.h"
+#include "core/session/export_kinds.h"
 
 namespace nadir {
 namespace {
@@ -37,13 +37,8 @@ std::string layers_text(const MapLook& look) {
 }  // namespace
 
 RunsOfFigure runs_of_figure(std::string_view figure) {
-  constexpr std::array<std::string_view, 3> kWithoutRuns = {"overhead-pair", "route", "labels"};
-  constexpr std::array<std::string_view, 4> kOfAll = {"mse-bars", "cdf", "trajectories", "compare"};
-  const auto is_in = [figure](const auto& names) {
-    return std::find(names.begin(), names.end(), figure) != names.end();
-  };
-  if (is_in(kWithoutRuns)) return RunsOfFigure::kNone;
-  return is_in(kOfAll) ? RunsOfFigure::kAll : RunsOfFigure::kOne;
+  const ExportKind* const kind = export_kind(figure);
+  return kind != nullptr ? kind->runs : RunsOfFigure::kOne;
 }
 
 std::string figure_recipe_text(const FigureRequest& request) {
@@ -59,6 +54,7 @@ std::string figure_recipe_text(const FigureRequest& request) {
   text += "\n[options]\n";
   text += "theme = " + toml_quoted(enum_name(request.theme)) + "\n";
   text += fmt::format("time = {}\n", request.time_s);
+  if (request.width_px) text += fmt::format("size = \"{}\"\n", *request.width_px);
   if (look.width_m > 0.0) {
     text += "crop = " +
             toml_quoted(fmt::format("{}@{},{}", look.width_m, look.centre_in_enu_m.x(),

@@ -18,11 +18,15 @@ struct FigureRequest {
   double time_s = 0.0;            ///< After the first run's first step.
   MapLook look;                   ///< With centre and width as they are drawn.
   LightOrDark theme = LightOrDark::kLight;
+  std::optional<int> width_px = {};  ///< Nothing: the figure's own.
   /// For a film: the range and the flight seconds per second.
   bool is_film = false;
   std::optional<double> from_s, to_s;
   double speed = 1.0;
 };
+
+/// Range of a figure's width.
+inline constexpr int kLeastFigureWidthPx = 200, kMostFigureWidthPx = 16'000;
 
 /// How many runs a figure is of. Of a name that is none, one: who draws it will say so.
 enum class RunsOfFigure { kNone, kOne, kAll };

@@ -28,7 +28,7 @@ struct ReconstructionQuestion {
 };
 
 /// Reconstructs in a thread of its own, the newest question first; nobody waits. Going on in a run costs its new steps only,
-/// going back costs all again. All calls from one thread.
+/// going back those since a state that was kept on the way (at most 96 MiB of them). All calls from one thread.
 class GroundReconstruction {
  public:
   GroundReconstruction();
@@ -38,7 +38,8 @@ class GroundReconstruction {
 
   /// The same question again costs nothing.
   void ask(const ReconstructionQuestion& question);
-  /// The newest there is, perhaps of fewer steps; null before the first, and once another run or other poses are asked for.
+  /// The newest there is, perhaps of fewer steps, never of more; null before the first, and once another run or other poses
+  /// are asked for.
   [[nodiscard]] std::shared_ptr<const ReconstructedGround> answer() const;
   [[nodiscard]] bool is_working() const;
   /// Why the last question has no answer, once; empty: nothing failed.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/eval/consistency.h"
 #include "core/mcl/cell_agreement.h"
 #include "core/mcl/measurement_model.h"
 #include "core/run/run_file.h"
@@ -32,8 +33,8 @@ struct ModeFit {
 struct ClassDifference {
   ClassId id = 0;
   CellAgreement::Count at_estimate, at_truth;
-  /// Mean cost at the truth minus mean cost at the estimate, as far as this class makes it: above 0 it speaks for the
-  /// estimate, below 0 for the truth. Over all classes these add up to the difference of the two mean costs.
+  /// Mean cost at the truth minus mean cost at the estimate, as far as this class makes it: above 0 the
+  /// class is cheaper at the estimate, below 0 at the truth; less is better. Over all classes these add up to the difference of the two mean costs.
   double cost_difference = 0.0;
 };
 

@@ -132,12 +132,22 @@ std::string words_of_both_fit(const MomentExplanation& moment) {
       who_was_near(moment));
 }
 
-/// That the filter did not know how wrong it was, where so.
+/// That the error of this step is more than its covariance makes likely, where so.
 std::string surety(const MomentExplanation& moment) {
+  constexpr const char* kOneStep = "; one step is no test of consistency, only many are.";
+  if (moment.nees) {
+    const StepNeesBounds bounds = step_nees_bounds();
+    if (*moment.nees <= bounds.upper) return "";
+    return fmt::format(
+        " The NEES of this step, {:.1f}, is above the 95 % chi-square bounds {:.2f} to {:.2f} ({} "
+        "degrees of freedom){}",
+        *moment.nees, bounds.lower, bounds.upper, bounds.degrees_of_freedom, kOneStep);
+  }
   if (moment.is_truth_inside_95.value_or(true)) return "";
-  std::string text = " The filter was too sure: the truth lies outside its 95 % ellipse";
-  if (moment.nees) text += fmt::format(" (NEES {:.0f}, where 3 is usual)", *moment.nees);
-  return text + ".";
+  return fmt::format(
+      " The truth lies outside the 95 % position ellipse of this step (chi-square, 2 degrees of "
+      "freedom){}",
+      kOneStep);
 }
 
 }  // namespace

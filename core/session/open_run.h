@@ -33,6 +33,7 @@ struct OpenMap {
   std::filesystem::path path;
   MapProvenance provenance;
   std::shared_ptr<const MapIndex> index;  ///< Nothing while it is being read.
+  std::string hash;                       ///< content_hash() of it; empty while it is being read.
 };
 
 /// Playback: not undone, but kept from one start to the next.

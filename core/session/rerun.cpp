@@ -40,6 +40,7 @@ class RerunRecorder {
     }
     if (auto written = writer_->write(step); !written) return written;
     ++steps_;
+    has_evidence_ = has_evidence_ || step.agreement.has_value();
     publish_({steps_});
     return {};
   }
@@ -58,6 +59,8 @@ class RerunRecorder {
   }
   /// Only those that are in the file.
   [[nodiscard]] int steps() const { return writer_ ? steps_ : 0; }
+  /// Whether what was localised is worth keeping where the rest failed: not so without a step in which the map had a say.
+  [[nodiscard]] bool is_worth_keeping() const { return writer_ && has_evidence_; }
 
  private:
   const RerunTask& task_;
@@ -67,6 +70,7 @@ class RerunRecorder {
   WorkContext context_;
   std::optional<RunWriter> writer_;
   int steps_ = 0;
+  bool has_evidence_ = false;
 };
 
 /// The parent's steps up to the one that the new run goes on from.
@@ -90,7 +94,9 @@ Result<RerunOutcome> rerun(const RerunTask& task,
   if (!task.parent.empty()) {
     const auto parent = RunReader::open(task.parent);
     if (!parent) return forward_error(parent);
-    auto point = resume_point(*parent, task.parent.filename().string(), task.from_s);
+    const bool is_beside = task.parent.parent_path() == task.run.parent_path();
+    auto point = resume_point(*parent, (is_beside ? task.parent.filename() : task.parent).string(),
+                              task.from_s);
     if (!point) return forward_error(point);
     auto steps = steps_until(*parent, *point);
     if (!steps) return forward_error(steps);
@@ -103,21 +109,19 @@ Result<RerunOutcome> rerun(const RerunTask& task,
   const auto summary = localise_flight(
       *task.flight, task.map, request,
       [&recorder](const RunStep& step) { return recorder.record(step); }, context);
-  if (!summary && summary.error().code == ErrorCode::kCancelled && recorder.steps() > 0) {
-    const int steps = recorder.steps();
-    recorder.stop();
-    return RerunOutcome{steps, true};
-  }
   const int steps = recorder.steps();
-  if (!summary) {
-    recorder.discard();
-    return forward_error(summary);
+  if (!summary && summary.error().code == ErrorCode::kCancelled && steps > 0) {
+    recorder.stop();
+    return RerunOutcome{steps, true, {}};
   }
-  if (const auto finished = recorder.finish(); !finished) {
+  auto ended = summary ? recorder.finish() : Result<void>(forward_error(summary));
+  if (ended) return RerunOutcome{steps, false, {}};
+  if (!recorder.is_worth_keeping()) {
     recorder.discard();
-    return forward_error(finished);
+    return forward_error(ended);
   }
-  return RerunOutcome{steps, false};
+  recorder.stop();
+  return RerunOutcome{steps, false, ended.error().message};
 }
 
 }  // namespace nadir

@@ -36,11 +36,14 @@ struct RerunProgress {
 struct RerunOutcome {
   int steps = 0;
   bool was_stopped = false;  ///< Before its end; the steps so far are in the file.
+  std::string
+      fault;  ///< Why it failed before its end, with the steps so far in the file; empty: it did not.
 };
 
-/// Localises the flight and records it. Where it fails, or is stopped before its first step, no file stays.
+/// Localises the flight and records it. Where it fails or is stopped before its first own step, or where none of its steps
+/// says anything, no file stays.
 /// @param publish  Called after each step that is in the file.
-/// @errors as localise_flight, RunWriter and resume_point; kCancelled: stopped before there was a step.
+/// @errors as localise_flight, RunWriter and resume_point, where no file stays; kCancelled: stopped before there was a step.
 [[nodiscard]] Result<RerunOutcome> rerun(const RerunTask& task,
                                          const WorkContext& context,
                                          const std::function<void(RerunProgress)>& publish);

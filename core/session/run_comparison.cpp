@@ -151,6 +151,12 @@ std::vector<SettingDifference> setting_differences(RunDocuments runs) {
 
 }  // namespace
 
+std::string divergence_words(const DivergenceRule& rule) {
+  return fmt::format(
+      "more than {:g} m apart, or more than {:g} m and {:g} sigma, for at least {:g} s",
+      rule.apart_m, rule.at_least_m, rule.apart_sigmas, rule.held_for_s);
+}
+
 std::optional<Divergence> first_divergence(const RunDocument& first,
                                            const RunDocument& second,
                                            const DivergenceRule& rule) {

@@ -44,6 +44,9 @@ struct DivergenceRule {
   double held_for_s = 1.0;  ///< ... for so long without a break.
 };
 
+/// "more than 2 m apart, or more than 0.5 m and 3 sigma, for at least 1 s".
+[[nodiscard]] std::string divergence_words(const DivergenceRule& rule = {});
+
 /// Where two runs part.
 struct Divergence {
   double time_s = 0.0;          ///< After the first run's first step.

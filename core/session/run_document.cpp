@@ -52,6 +52,41 @@ RunSeries series_of(const std::vector<RunStep>& steps) {
   return series;
 }
 
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Convex hull by Andrew's monotone chain: lower side, then upper side. O(n log n).
+std::vector<Eigen::Vector2d> outline_of(const std::vector<RunStep>& steps) {
+  std::vector<Eigen::Vector2d> points;
+  for (const RunStep& step : steps) {
+    const Rigid2& estimate = step.estimate.moments.mean;
+    if (is_finite(estimate)) points.push_back(estimate.translation_m());
+    if (step.truth_in_enu) points.push_back(step.truth_in_enu->translation_m());
+  }
+  const auto is_before = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  };
+  std::sort(points.begin(), points.end(), is_before);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  std::vector<Eigen::Vector2d> outline;
+  const auto add_side = [&outline](auto from, auto to) {
+    const std::size_t begin = outline.size();
+    for (auto at = from; at != to; ++at) {
+      while (outline.size() >= begin + 2 &&
+             cross(outline.back() - outline[outline.size() - 2], *at - outline.back()) <= 0.0) {
+        outline.pop_back();
+      }
+      outline.push_back(*at);
+    }
+    outline.pop_back();  // the other side begins with it
+  };
+  add_side(points.begin(), points.end());
+  add_side(points.rbegin(), points.rend());
+  return outline;
+}
+
 double usual_period_s(const std::vector<double>& time_s) {
   if (time_s.size() < 2) return 0.0;
   std::vector<double> periods;
@@ -84,6 +119,10 @@ std::shared_ptr<const RunDocument> RunDocument::from_steps(RunDocument made) {
     run.time_s.push_back(step.time_s - run.start_clock_s);
     run.judged.push_back(evaluated_step(step));
   }
+  run.has_odometry = std::any_of(run.steps.begin(), run.steps.end(), [](const RunStep& step) {
+    return step.odometry_in_enu.has_value();
+  });
+  run.outline_in_enu_m = outline_of(run.steps);
   run.series = series_of(run.steps);
   run.errors = error_series(run.judged);
   run.error_gaps = gaps_of(run.errors);

@@ -52,6 +52,10 @@ struct RunDocument {
   double start_clock_s = 0.0;         ///< The recording's clock at the first step; 0 without steps.
   std::vector<double> time_s;         ///< Of each step, after the first.
   std::vector<EvaluatedStep> judged;  ///< The steps as the evaluation sees them.
+  bool has_odometry =
+      false;  ///< Of any step it is known where dead reckoning alone would have been.
+  /// Corners of the least convex outline around all estimates and truths, counter-clockwise; empty where there are none.
+  std::vector<Eigen::Vector2d> outline_in_enu_m;
   RunSeries series;
   ErrorSeries errors;                   ///< Of the steps whose truth is known.
   std::vector<std::size_t> error_gaps;  ///< Where lines through `errors` break; see gaps_of().

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <system_error>
+#include <tuple>
+#include <utility>
 
+#include "core/base/log.h"
 #include "core/session/change_words.h"
 #include "core/session/session_core.h"
 
@@ -14,11 +17,19 @@ namespace {
 constexpr std::size_t kMostLogLines = 10'000;
 constexpr std::size_t kMostNotices = 200;
 
+/// Whether a user has asked for a moment to look at, rather than for another time.
+bool goes_to_moment(const Action& action) {
+  if (const auto* const go = std::get_if<actions::GoTo>(&action)) {
+    return go->moment != Moment::kStart && go->moment != Moment::kEnd;
+  }
+  return std::holds_alternative<actions::GoToDivergence>(action);
+}
+
 }  // namespace
 
 Session::Session(SessionPlaces places)
     : implementation_(std::make_unique<Implementation>(std::move(places))) {
-  implementation_->read_preferences();
+  implementation_->begin_keeping();
 }
 
 Session::~Session() = default;
@@ -30,7 +41,6 @@ Session::Implementation::~Implementation() {
     if (work.reading) work.reading->request_stop();
   }
   if (map_reading) map_reading->request_stop();
-  is_leaving = true;
   std::vector<std::string> begun;
   for (const RerunWork& work : reruns) begun.push_back(work.run.string());
   reruns.clear();  // waits until what they have recorded is in the files
@@ -38,7 +48,11 @@ Session::Implementation::~Implementation() {
   for (const std::string& run : begun) {
     if (!std::filesystem::exists(run, error)) take_run_out(kept.view, run);
   }
+  list_what_is_written();
   save_now();
+  if (!saving_fault.empty()) {  // there is no window any more to say it in
+    write_log(LogLevel::kError, "what was open is not kept for the next start: " + saving_fault);
+  }
 }
 
 Result<void> Session::Implementation::apply(const Action& action) {
@@ -68,6 +82,8 @@ Result<void> Session::Implementation::apply(const Action& action) {
   } else {
     settle(before, change_title(action, kept.view), key);
   }
+  if (goes_to_moment(action)) bring_moment_into_view();
+  let_go_of_particle();
   request_steps();
   return {};
 }
@@ -75,15 +91,24 @@ Result<void> Session::Implementation::apply(const Action& action) {
 void Session::Implementation::settle(const KeptState& before,
                                      std::string title,
                                      std::string merge_key) {
-  if (!(kept == before)) history.commit(before, std::move(title), std::move(merge_key));
+  // Looking at another tab changes nothing that anybody would take back.
+  WindowLayout& layout = kept.view.layout;
+  const WindowLayout& earlier = before.view.layout;
+  const std::pair tabs(layout.left_tab, layout.right_tab);
+  std::tie(layout.left_tab, layout.right_tab) = std::pair(earlier.left_tab, earlier.right_tab);
+  const bool is_changed = !(kept == before);
+  std::tie(layout.left_tab, layout.right_tab) = tabs;
+  if (is_changed) history.commit(before, std::move(title), std::move(merge_key));
   reconcile();
 }
 
 void Session::Implementation::poll(double elapsed_s) {
   poll_reading(elapsed_s);
   poll_reruns();
+  offer_localising();
   poll_small_works();
   move_on(elapsed_s);
+  let_go_of_particle();
   request_steps();
   for (const OpenRun& run : runs) {
     if (!run.cache) continue;
@@ -196,101 +221,5 @@ Result<std::size_t> Session::Implementation::run_of(int number) const {
   }
   return static_cast<std::size_t>(number) - 1;
 }
-
-Result<void> Session::apply(const Action& action) { return implementation_->apply(action); }
-void Session::poll(double elapsed_s) { implementation_->poll(elapsed_s); }
-bool Session::is_busy() const { return implementation_->is_busy(); }
-const ViewState& Session::view() const { return implementation_->kept.view; }
-const Playback& Session::playback() const { return implementation_->playback; }
-Overlay Session::overlay() const { return implementation_->overlay; }
-std::span<const OpenRun> Session::runs() const { return implementation_->runs; }
-const OpenRun* Session::active_run() const { return implementation_->active(); }
-const OpenMap* Session::map() const {
-  return implementation_->map ? &*implementation_->map : nullptr;
-}
-std::shared_ptr<const FlightRecording> Session::flight() const { return implementation_->flight(); }
-
-std::optional<std::size_t> Session::step_index() const {
-  const RunDocument* const run = implementation_->active_document();
-  if (run == nullptr) return std::nullopt;
-  return run->index_at(implementation_->playback.time_s);
-}
-
-std::shared_ptr<const RunStep> Session::step() const {
-  const OpenRun* const run = active_run();
-  const auto index = step_index();
-  return run != nullptr && run->cache && index ? run->cache->step(*index) : nullptr;
-}
-
-std::optional<std::size_t> Session::step_index_of(int run) const {
-  const RunDocument* const here = implementation_->active_document();
-  const auto index = implementation_->run_of(run);
-  if (here == nullptr || !index) return std::nullopt;
-  const auto& there = implementation_->runs[*index].document;
-  if (!there) return std::nullopt;
-  return there->index_at(here->time_in(*there, implementation_->playback.time_s));
-}
-
-MapLook Session::resolved_map_look() const { return implementation_->resolved_look(); }
-Result<RunOptions> Session::draft_options() const { return implementation_->draft_options(); }
-std::span<const Notice> Session::notices() const { return implementation_->notices; }
-std::vector<JobStatus> Session::jobs() const { return implementation_->jobs(); }
-std::span<const std::string> Session::log() const { return implementation_->log; }
-std::span<const std::string> Session::recents() const { return implementation_->recents; }
-
-std::vector<std::string> Session::layout_names() const {
-  std::vector<std::string> names = {"default"};
-  for (const auto& [name, layout] : implementation_->kept.layouts) names.push_back(name);
-  return names;
-}
-
-std::optional<std::string> Session::undo_title() const {
-  if (!implementation_->history.can_undo()) return std::nullopt;
-  return implementation_->history.undo_title();
-}
-
-std::optional<std::string> Session::redo_title() const {
-  if (!implementation_->history.can_redo()) return std::nullopt;
-  return implementation_->history.redo_title();
-}
-
-std::size_t Session::memory_used_bytes() const {
-  std::size_t bytes = 0;
-  for (const OpenRun& run : implementation_->runs) bytes += run.cache ? run.cache->used_bytes() : 0;
-  return bytes;
-}
-
-int Session::memory_budget_megabytes() const { return implementation_->kept.memory_megabytes; }
-
-std::vector<Effect> Session::take_effects() { return std::exchange(implementation_->effects, {}); }
-
-void Session::finish_effect(int job, const std::string& error, const std::string& made) {
-  implementation_->finish_effect(job, error, made);
-}
-
-void Session::report_effect(int job, double fraction, const std::string& activity) {
-  implementation_->report_effect(job, fraction, activity);
-}
-
-std::vector<int> Session::take_cancelled_effects() {
-  return std::exchange(implementation_->cancelled_effects, {});
-}
-
-void Session::set_map_aspect(double width_by_height) {
-  if (width_by_height > 0.0 && std::isfinite(width_by_height)) {
-    implementation_->map_aspect = width_by_height;
-  }
-}
-
-void Session::seal_history() {
-  implementation_->history.seal();
-  implementation_->log_key.clear();
-}
-
-void Session::notify(Notice::Kind kind, std::string text, std::string details) {
-  implementation_->add_notice(kind, std::move(text), std::move(details));
-}
-
-void Session::restore() { implementation_->restore(); }
 
 }  // namespace nadir

@@ -30,11 +30,20 @@ struct SessionPlaces {
   std::function<Result<std::string>(const std::filesystem::path& figure)> recipe_in_figure = {};
 };
 
+/// What the map's view has for things that are fitted into it.
+struct MapRoom {
+  double aspect = 1.5;  ///< Width by height of the whole view.
+  /// What controls cover along its sides, in shares of its width (left, right) and height (bottom, top).
+  double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
+  friend bool operator==(const MapRoom&, const MapRoom&) = default;
+};
+
 /// What is open, how it is looked at and what is being done: the only writer. One thread; nothing in here waits for a disk
 /// or for work, but for files of a few kilobytes. Every change comes by apply(), or by poll() from work that has gone on.
 /// What it hands out by reference, pointer or span stays until the next call of either.
 class Session {
  public:
+  /// Runs that a killed program was writing are offered by notices, at every start until they are opened or dismissed.
   explicit Session(SessionPlaces places);
   ~Session();  ///< Stops all work; what a rerun has recorded stays.
   Session(const Session&) = delete;
@@ -55,8 +64,10 @@ class Session {
   [[nodiscard]] std::span<const OpenRun> runs() const;  ///< As view().runs.
   [[nodiscard]] const OpenRun* active_run() const;      ///< Null: none.
   [[nodiscard]] const OpenMap* map() const;             ///< Null: none.
-  /// Flight of the active run or the one opened by itself; null where it is not there or not read yet.
+  /// Flight of the active run, without a run the one opened by itself; null where it is not there or not read yet.
   [[nodiscard]] std::shared_ptr<const FlightRecording> flight() const;
+  /// The flight that was opened by itself, to be localised; null: none, or not read yet.
+  [[nodiscard]] std::shared_ptr<const FlightRecording> opened_flight() const;
   /// Index of the active run's step at the moment; nothing without a run or before it is read.
   [[nodiscard]] std::optional<std::size_t> step_index() const;
   /// The same with particles and topview; null until it has been decoded.
@@ -66,13 +77,27 @@ class Session {
   /// Camera of the window: centre, width and up as they are to be drawn now, following and heading resolved.
   [[nodiscard]] MapLook resolved_map_look() const;
 
-  /// Options of the next run: preset with changes. @errors kInvalidOptions, where a kept change no longer fits.
+  /// Options of the next run: the active run's, or a preset's, with changes. @errors kInvalidOptions, where a kept change no
+  /// longer fits; as draft_base().
   [[nodiscard]] Result<RunOptions> draft_options() const;
+  /// The same without the changes. @errors kInvalidOptions: no such preset, or the active run is still being read;
+  /// kMalformed: what the run recorded is none.
+  [[nodiscard]] Result<RunOptions> draft_base() const;
   [[nodiscard]] std::span<const Notice> notices() const;
   [[nodiscard]] std::vector<JobStatus> jobs() const;
   [[nodiscard]] std::span<const std::string> log()
       const;  ///< Words of all that was done, oldest first.
   [[nodiscard]] std::span<const std::string> recents() const;  ///< Paths, newest first.
+  /// Commands chosen by hand, by their words, newest first; kept as a preference.
+  [[nodiscard]] std::span<const std::string> recent_commands() const;
+  void remember_command(const std::string& text);
+  /// Sections of panels that are folded, or open, unlike at first: their paths, kept as a preference.
+  [[nodiscard]] std::span<const std::string> turned_sections() const;
+  void keep_turned_sections(std::vector<std::string> paths);
+  /// Maps that may belong to the flight that was opened by itself: those beside it first.
+  [[nodiscard]] std::span<const std::string> maps_for_flight() const;
+  /// Why session or preferences could not be written last; empty: they are kept.
+  [[nodiscard]] const std::string& saving_fault() const;
   [[nodiscard]] std::vector<std::string> layout_names() const;
   [[nodiscard]] std::optional<std::string> undo_title() const;
   [[nodiscard]] std::optional<std::string> redo_title() const;
@@ -87,12 +112,14 @@ class Session {
   [[nodiscard]] std::vector<int> take_cancelled_effects();
   /// Width by height of the map's view, for what is fitted into it. Changes nothing else.
   void set_map_aspect(double width_by_height);
+  /// The same with what is covered. What is no number, or leaves nothing, is passed over.
+  void set_map_room(const MapRoom& room);
   /// A change by drag or typing is over: the next one is a step of its own.
   void seal_history();
   /// For what the shell has to say: a file that could not be dropped, a message of VTK.
   void notify(Notice::Kind kind, std::string text, std::string details = {});
 
-  /// Opens what was open when the program was last left, or killed; a run that it was writing then is offered.
+  /// Opens what was open when the program was last left, or killed.
   void restore();
 
  private:

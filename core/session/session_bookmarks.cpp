@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bookmarks, notices and the way back.
 #include <algorithm>
+#include <utility>
 
 #include "core/session/session_core.h"
 
@@ -51,8 +52,14 @@ Result<void> Session::Implementation::perform(const actions::RemoveBookmark& act
 }
 
 Result<void> Session::Implementation::perform(const actions::DismissNotice& action) {
+  const auto forget_offer = [this](const Notice& notice) {
+    const auto* const open =
+        notice.remedy ? std::get_if<actions::OpenFile>(&*notice.remedy) : nullptr;
+    if (open != nullptr) settle_unfinished(std::string(open->path));
+  };
   if (!action.notice) {
-    notices.clear();
+    const std::vector<Notice> dismissed = std::exchange(notices, {});
+    for (const Notice& notice : dismissed) forget_offer(notice);
     return {};
   }
   const auto found = std::find_if(notices.begin(), notices.end(), [&](const Notice& notice) {
@@ -61,7 +68,9 @@ Result<void> Session::Implementation::perform(const actions::DismissNotice& acti
   if (found == notices.end()) {
     return fail(ErrorCode::kInvalidOptions, "there is no notice {}", *action.notice);
   }
+  const Notice dismissed = *found;
   notices.erase(found);
+  forget_offer(dismissed);
   return {};
 }
 
@@ -69,15 +78,29 @@ Result<void> Session::Implementation::go_to_state(KeptState state) {
   // Bookmarks are files: those of the other state are written first, for that may fail. Those of runs that have been read
   // since then stay.
   std::map<std::string, Bookmarks> bookmarks = kept.bookmarks;
+  std::vector<std::string> done;
   for (const auto& [run, wanted] : state.bookmarks) {
     const auto now = kept.bookmarks.find(run);
     if (now == kept.bookmarks.end() || now->second == wanted) continue;
     auto written = write_bookmarks(run, wanted, now->second);
-    if (!written) return forward_error(written);
+    if (!written) {  // all or none
+      for (const std::string& other : done) {
+        static_cast<void>(write_bookmarks(other, kept.bookmarks[other], bookmarks[other]));
+      }
+      return forward_error(written);
+    }
     bookmarks[run] = std::move(*written);
+    done.push_back(run);
   }
+  // Where the same panels are shown, the tabs in front stay there.
+  const WindowLayout now = kept.view.layout;
   kept = std::move(state);
   kept.bookmarks = std::move(bookmarks);
+  WindowLayout& layout = kept.view.layout;
+  if (layout.is_shown == now.is_shown) {
+    layout.left_tab = now.left_tab;
+    layout.right_tab = now.right_tab;
+  }
   return {};
 }
 

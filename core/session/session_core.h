@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <map>
 #include <memory>
@@ -13,8 +12,10 @@
 
 #include "core/base/job.h"
 #include "core/session/history.h"
-#include "core/session/rerun.h"
+#include "core/session/saved_files.h"
 #include "core/session/session.h"
+#include "core/session/session_works.h"
+#include "core/session/unfinished_runs.h"
 
 namespace nadir {
 
@@ -25,64 +26,6 @@ struct KeptState {
   std::map<std::string, WindowLayout> layouts;
   int memory_megabytes = 256;
   friend bool operator==(const KeptState&, const KeptState&) = default;
-};
-
-/// What reading a run gives.
-struct ReadRun {
-  std::shared_ptr<const RunDocument> document;
-  Bookmarks bookmarks;  ///< Read only the first time.
-  std::optional<Error> bookmarks_fault;
-};
-/// What reading a map gives; the index is never null.
-struct ReadMap {
-  MapProvenance provenance;
-  std::shared_ptr<const MapIndex> index;
-};
-template <typename Value>
-using ReadingJob = std::optional<Job<int, Value>>;
-
-/// What belongs to an open run beside OpenRun.
-struct RunWork {
-  int number = 0;  ///< As a job.
-  ReadingJob<ReadRun> reading;
-  std::string flight_path, map_path;  ///< Empty: not known yet, or not there.
-  double since_reading_s = 1e9;       ///< Of a run that grows.
-  bool is_last_reading_due = false;   ///< It has ended and may have grown since it was read.
-};
-
-struct FlightWork {
-  std::shared_ptr<const FlightRecording> recording;
-  ReadingJob<std::shared_ptr<const FlightRecording>> reading;
-  bool has_failed = false;
-};
-
-struct RerunWork {
-  int number = 0;
-  std::string name;
-  std::filesystem::path run;
-  std::string flight_path, map_path;  ///< What it is made from.
-  Job<RerunProgress, RerunOutcome> job;
-  bool is_cancelled = false;
-};
-
-/// Small work with one result: a table that is written, a figure whose recipe is read.
-struct SmallWork {
-  int number = 0;
-  std::string title;
-  Job<int, std::string> job;
-  std::function<void(std::string)> when_done;  ///< Takes the result; called from poll().
-  bool is_cancelled = false;
-};
-
-/// Work of the shell.
-struct EffectWork {
-  int number = 0;
-  std::string title;
-  double fraction = 0.0;
-  std::string activity;
-  std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
-  bool is_cancelled = false;
-  bool opens_result = false;  ///< What was made is opened.
 };
 
 /// All of a session. Its functions stand in session_*.cpp, by what they are about; perform() does what an action asks for and
@@ -103,6 +46,7 @@ struct Session::Implementation {
   std::optional<OpenMap> map;
   ReadingJob<ReadMap> map_reading;
   std::string last_good_map;                  ///< Path of the last one that could be read.
+  std::map<std::string, MapWish> map_wishes;  ///< By the path of an open run that is not read yet.
   std::map<std::string, FlightWork> flights;  ///< By path.
   std::vector<RerunWork> reruns;
   std::vector<SmallWork> small_works;
@@ -113,23 +57,35 @@ struct Session::Implementation {
   std::vector<Notice> notices;
   std::vector<std::string> log;
   std::string log_key;  ///< Of the last line, while a drag goes on.
-  std::vector<std::string> recents;
-  int last_number = 0;  ///< Of jobs and notices.
-  double map_aspect = 1.5;
+  std::vector<std::string> recents, recent_commands;
+  std::vector<std::string> turned_sections;  ///< Of panels; by path.
+  int offer_number = 0;  ///< Of the notice that offers to localise a flight; 0: none was made.
+  std::string offered;   ///< Flight and map that it was made for.
+  int last_number = 0;   ///< Of jobs and notices.
+  MapRoom map_room;
   int direction = 1;  ///< In which time went last.
 
   // The active run as it was when time was last set, for another one may have other times.
   std::string timed_path;
-  std::shared_ptr<const RunDocument> timed_document;
+  std::optional<TimedRun> timed_run;
   std::optional<double> wanted_time_s;  ///< To be set once the active run is settled.
   std::string followed_run;  ///< Path of a run that grows, to whose end the cursor keeps; or empty.
+  /// Run and step at which a particle was selected: it is no other step's.
+  std::optional<std::pair<std::string, int>> particle_step;
 
   // What is written into the user's folder.
-  std::string saved_session, saved_preferences;
+  std::string
+      saved_session;  ///< As the file is known to hold it, or as it would have been at the start.
+  Preferences
+      saved_preferences;  ///< This session's as it last wrote or read them; another one may have written since.
+  Savings being_saved;
+  bool is_saving_due = false;  ///< Somebody has asked for it.
+  WritingList writing{places.config};
+  std::vector<std::string>
+      unfinished;  ///< Runs that a killed program has left, and that are offered.
   double since_saving_s = 0.0;
   std::optional<Job<int, int>> saving;
-  bool has_saving_failed = false;
-  bool is_leaving = false;  ///< The session ends in good order.
+  std::string saving_fault;  ///< Why the last attempt failed; empty: it did not.
 
   // session.cpp
   Result<void> apply(const Action& action);
@@ -154,16 +110,18 @@ struct Session::Implementation {
     ending->request_stop();
     leaving.emplace_back([ending] { return ending->is_done(); });
   }
+  /// @param since  Number of a change: states from before it stay.
   template <typename Change>
-  void amend(const Change& change) {
+  void amend(const Change& change, std::uint64_t since = 0) {
     change(kept);
-    history.amend(change, kept);
+    history.amend(change, kept, since);
   }
 
   // session_files.cpp
   Result<void> perform(const actions::OpenFile& action);
   Result<void> perform(const actions::OpenDemo& action);
   Result<void> perform(const actions::CloseRun& action);
+  Result<void> perform(const actions::SaveNow& action);
   Result<void> perform(const actions::Quit& action);
   Result<void> perform(const actions::ActivateRun& action);
   Result<void> perform(const actions::ShowRun& action);
@@ -183,7 +141,11 @@ struct Session::Implementation {
   void settle_time();
   void begin_reading(std::size_t run);
   void take_run(std::size_t run);
+  /// The cursor keeps to the end of a run only while that grows.
+  void let_go_of_follow(std::size_t run);
   void poll_reading(double elapsed_s);
+  /// Reads a run again whose file somebody has written into: of one that may grow now and then, else when it is opened again.
+  void look_at_file(std::size_t run);
   void drop_run(const std::string& path);
   void share_memory();
   void request_steps();
@@ -193,9 +155,14 @@ struct Session::Implementation {
   void reconcile_map();
   void find_inputs(std::size_t run);
   void take_map();
+  void take_map_of(std::size_t run);
   void begin_flight(const std::string& path);
   void take_flights();
-  [[nodiscard]] std::shared_ptr<const FlightRecording> flight() const;
+  void offer_localising();
+  /// Path of the flight that the active run was made from; without a run, of the one that was opened by itself. May be empty.
+  [[nodiscard]] const std::string& flight_path() const;
+  /// A flight by its path; null where it is not there or not read yet.
+  [[nodiscard]] std::shared_ptr<const FlightRecording> flight_of(const std::string& path) const;
 
   // session_playback.cpp
   Result<void> perform(const actions::Seek& action);
@@ -212,7 +179,6 @@ struct Session::Implementation {
   Result<void> perform(const actions::LookAt& action);
   Result<void> perform(const actions::Zoom& action);
   Result<void> perform(const actions::Rotate& action);
-  Result<void> perform(const actions::Fit& action);
   Result<void> perform(const actions::Follow& action);
   Result<void> perform(const actions::SetUp& action);
   Result<void> perform(const actions::GoToPlace& action);
@@ -224,9 +190,16 @@ struct Session::Implementation {
   Result<void> perform(const actions::SetLayerOpacity& action);
   Result<void> perform(const actions::SetLayerColour& action);
   Result<void> perform(const actions::MoveLayer& action);
+  [[nodiscard]] Result<ProjectPlane> plane() const;
+  /// A particle is selected for one step only.
+  void let_go_of_particle();
+
+  // session_sight.cpp
+  Result<void> perform(const actions::Fit& action);
   [[nodiscard]] MapLook resolved_look() const;
   [[nodiscard]] MapLook fitted(MapLook look, FitTo to) const;
-  [[nodiscard]] Result<ProjectPlane> plane() const;
+  /// Moves the map where it does not show estimate and truth of the moment. It belongs to time, which is not undone.
+  void bring_moment_into_view();
 
   // session_layout.cpp
   Result<void> perform(const actions::ShowPanel& action);
@@ -249,12 +222,23 @@ struct Session::Implementation {
   Result<void> perform(const actions::UsePreset& action);
   Result<void> perform(const actions::SavePreset& action);
   [[nodiscard]] Result<RunOptions> draft_options() const;
+  /// The same without the changes, and the preset's name. @errors kInvalidOptions: no such preset, or the active run is still
+  /// being read; kMalformed: what it recorded is none.
+  [[nodiscard]] Result<OptionsBase> draft_base() const;
 
   // session_rerun.cpp
   Result<void> perform(const actions::Rerun& action);
   Result<void> perform(const actions::CancelJob& action);
-  [[nodiscard]] Result<std::filesystem::path> name_of_next_run(
-      const FlightDescription& flight) const;
+  /// @param run  To be run again; null: the flight is what is known.
+  [[nodiscard]] Result<std::filesystem::path> name_of_next_run(const FlightDescription& flight,
+                                                               const OpenRun* run) const;
+  [[nodiscard]] std::string name_without_number(const OpenRun& run) const;
+  /// Path of the flight to localise, which is read. @param run  To be run again; null: the one that was opened by itself.
+  [[nodiscard]] Result<std::string> flight_to_localise(const OpenRun* run) const;
+  /// How the flight of a run began. @errors as recorded_prior().
+  [[nodiscard]] Result<std::optional<Prior>> prior_of(const OpenRun& run) const;
+  [[nodiscard]] Result<void> set_start(RerunTask& task, RerunFrom from, const OpenRun* run) const;
+  void say_what_of_map_changed(const OpenRun& run);
   void poll_reruns();
   void end_rerun(RerunWork& work);
 
@@ -281,13 +265,22 @@ struct Session::Implementation {
   Result<void> go_to_state(KeptState state);
 
   // session_keeping.cpp
+  /// At the start: preferences are read, and what a killed program has left is offered.
+  void begin_keeping();
   void read_preferences();
   void restore();
   void poll_saving(double elapsed_s);
   void save_now();
-  void set_damaged_aside(const std::filesystem::path& file, const Error& error);
+  void save_soon();
+  void take_saving(const Result<int>& outcome, const Savings& what);
+  /// A file that cannot be used: it is set aside where it is damaged, and left where a newer version wrote it.
+  void refuse_file(const std::filesystem::path& file, const Error& error);
   [[nodiscard]] std::string session_text() const;
-  [[nodiscard]] std::string preferences_text() const;
+  [[nodiscard]] Preferences preferences() const;
+  [[nodiscard]] Savings changed_since_saving() const;
+  void list_what_is_written();
+  /// It was opened, or nobody wants it.
+  void settle_unfinished(const std::string& run);
 };
 
 /// Takes a run out of a view; the one before it is then active where it was.

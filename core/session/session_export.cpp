@@ -76,7 +76,13 @@ Result<void> Session::Implementation::perform(const actions::ExportFigure& actio
     return fail(ErrorCode::kInvalidOptions, "{}: does not end in .png, .svg, .pdf or .mp4",
                 file.string());
   }
+  if (action.width_px &&
+      (*action.width_px < kLeastFigureWidthPx || *action.width_px > kMostFigureWidthPx)) {
+    return fail(ErrorCode::kInvalidOptions, "a width of {} pixels is not in [{}, {}]",
+                *action.width_px, int{kLeastFigureWidthPx}, int{kMostFigureWidthPx});
+  }
   FigureRequest request;
+  request.width_px = action.width_px;
   request.figure = action.figure.value_or(kDefaultFigure);
   request.is_film = ending == ".mp4";
   const RunsOfFigure number = runs_of_figure(request.figure);
@@ -117,10 +123,13 @@ Result<void> Session::Implementation::perform(const actions::ExportTable& action
   if (const auto free = StagedOutput::file(file); !free) return forward_error(free);
   small_works.push_back({++last_number, "writing " + file.filename().string(),
                          Job<int, std::string>([document = (*run)->document, file](
-                                                   const WorkContext& /*context*/,
+                                                   const WorkContext& context,
                                                    const auto& /*publish*/) -> Result<std::string> {
-                           if (auto written = write_text_file(file, run_table(*document));
-                               !written) {
+                           const std::string table = run_table(*document);
+                           if (context.is_stopped()) {
+                             return fail(ErrorCode::kCancelled, "{}: was stopped", file.string());
+                           }
+                           if (auto written = write_text_file(file, table); !written) {
                              return forward_error(written);
                            }
                            return file.string();
@@ -156,7 +165,7 @@ Result<void> Session::Implementation::perform(const actions::Copy& action) {
 }
 
 Result<void> Session::Implementation::perform(const actions::CopyView& /*action*/) {
-  SavedView saved{kept.view, playback, {}};
+  SavedView saved{kept.view, playback};
   saved.view.map = resolved_look();
   effects.emplace_back(SetClipboardEffect{view_text(saved)});
   return {};
@@ -189,7 +198,9 @@ void Session::Implementation::poll_small_works() {
     SmallWork work = std::move(small_works[i]);
     small_works.erase(small_works.begin() + static_cast<std::ptrdiff_t>(i));
     Result<std::string>& outcome = *work.job.outcome();
-    if (!outcome) {
+    if (!outcome && outcome.error().code == ErrorCode::kCancelled && work.is_cancelled) {
+      add_notice(Notice::Kind::kInfo, work.title + " was stopped");
+    } else if (!outcome) {
       add_notice(Notice::Kind::kError, outcome.error().message);
     } else if (!work.is_cancelled) {
       work.when_done(std::move(*outcome));

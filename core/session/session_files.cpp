@@ -1,78 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Opening what lies on the disk, told by what is in it.
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <fstream>
 #include <system_error>
 
-#include "core/base/settings.h"
 #include "core/base/staged_output.h"
+#include "core/session/file_kind.h"
 #include "core/session/session_core.h"
 
 namespace nadir {
 namespace fs = std::filesystem;
-
-namespace {
-
-constexpr std::size_t kMostRecents = 20;
-constexpr std::uintmax_t kMostRecipeBytes = 1U << 20U;
-
-enum class FileKind { kRun, kMap, kFlight, kFigureRecipe, kRunRecipe, kFigure, kOther };
-
-std::string ending_in_lower_case(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return ending;
-}
-
-bool begins_like_sqlite(const fs::path& path) {
-  constexpr std::string_view kMagic = "SQLite format 3";
-  std::array<char, kMagic.size()> begin{};
-  std::ifstream stream(path, std::ios::binary);
-  stream.read(begin.data(), begin.size());
-  return stream.gcount() == static_cast<std::streamsize>(begin.size()) &&
-         std::string_view(begin.data(), begin.size()) == kMagic;
-}
-
-Result<FileKind> kind_of_toml(const fs::path& path) {
-  std::error_code error;
-  if (fs::file_size(path, error) > kMostRecipeBytes) {
-    return fail(ErrorCode::kUnsupported, "{}: is too large for a recipe", path.string());
-  }
-  const auto settings = Settings::read(path);
-  if (!settings) return forward_error(settings);
-  if (settings->has("figure")) return FileKind::kFigureRecipe;
-  if (settings->has("preset") || settings->has("options")) return FileKind::kRunRecipe;
-  return fail(ErrorCode::kUnsupported,
-              "{}: is no recipe: it names neither a figure nor a preset or options", path.string());
-}
-
-Result<FileKind> kind_of_file(const fs::path& path) {
-  std::error_code error;
-  if (!fs::exists(path, error)) {
-    return fail(ErrorCode::kNotFound, "{}: does not exist", path.string());
-  }
-  if (fs::is_directory(path, error)) {
-    return fs::exists(path / "map.toml", error) ? FileKind::kMap : FileKind::kFlight;
-  }
-  if (path.filename() == "map.toml" || path.filename() == "flight.toml") return FileKind::kOther;
-  const std::string ending = ending_in_lower_case(path);
-  if (begins_like_sqlite(path)) return FileKind::kRun;
-  if (ending == ".nadir") {
-    return fail(ErrorCode::kMalformed, "{}: is not a run file", path.string());
-  }
-  if (ending == ".toml") return kind_of_toml(path);
-  if (ending == ".png" || ending == ".svg") return FileKind::kFigure;
-  if (ending == ".pdf" || ending == ".mp4") {
-    return fail(ErrorCode::kUnsupported, "{}: only PNG and SVG figures carry what they show",
-                path.string());
-  }
-  return FileKind::kFlight;
-}
-
-}  // namespace
 
 std::string absolute_path(const fs::path& path) {
   std::error_code error;
@@ -124,6 +60,7 @@ Result<void> Session::Implementation::open_map(const fs::path& package) {
   // A few lines of text: whether it is a map at all is said at once.
   const auto provenance = read_map_provenance(package);
   if (!provenance) return forward_error(provenance);
+  map_wishes.clear();  // this one is meant, not that of a run which is still being read
   look_at_map(absolute_path(package));
   return {};
 }
@@ -148,21 +85,32 @@ void Session::Implementation::use_map_of_active_run() {
 
 Result<void> Session::Implementation::perform(const actions::OpenFile& action) {
   if (action.path.empty()) return fail(ErrorCode::kInvalidOptions, "no file is named");
-  fs::path path = absolute_path(action.path);
-  const auto kind = kind_of_file(path);
-  if (!kind) return forward_error(kind);
-  switch (*kind) {
-    case FileKind::kRun:
+  const auto found = file_to_open(absolute_path(action.path));
+  if (!found) return forward_error(found);
+  const fs::path& path = found->path;
+  switch (found->kind) {
+    case FileKind::kRun: {
+      const auto open = std::find_if(runs.begin(), runs.end(),
+                                     [&path](const OpenRun& run) { return run.path == path; });
+      if (open == runs.end()) {
+        map_wishes[path.string()] = {history.last_change() + 1, false};
+      } else {
+        works[static_cast<std::size_t>(open - runs.begin())].is_opened_again = true;
+      }
       open_run(path.string());
+      settle_unfinished(path.string());
       return {};
+    }
     case FileKind::kMap:
       return open_map(path);
+    case FileKind::kFolder:
     case FileKind::kOther:
-      if (path.filename() == "map.toml") return open_map(path.parent_path());
-      path = path.parent_path();
-      [[fallthrough]];
     case FileKind::kFlight:
       kept.view.flight_path = path.string();
+      // One that could not be read may be whole now.
+      if (const auto flight = flights.find(path.string()); flight != flights.end()) {
+        flight->second.has_failed = false;
+      }
       return {};
     case FileKind::kFigureRecipe: {
       const auto text = read_text_file(path, kMostRecipeBytes);
@@ -182,10 +130,6 @@ Result<void> Session::Implementation::perform(const actions::OpenFile& action) {
 }
 
 Result<void> Session::Implementation::perform(const actions::OpenDemo& /*action*/) {
-  const fs::path folder = places.data / "demo";
-  const fs::path run = folder / "run.nadir";
-  std::error_code error;
-  if (fs::exists(run, error)) return perform(actions::OpenFile{run.string()});
   if (places.data.empty()) {
     return fail(ErrorCode::kIo, "there is no folder to make the demo in");
   }
@@ -193,6 +137,12 @@ Result<void> Session::Implementation::perform(const actions::OpenDemo& /*action*
       std::any_of(effect_works.begin(), effect_works.end(),
                   [](const EffectWork& work) { return work.opens_result && !work.is_cancelled; });
   if (is_being_made) return fail(ErrorCode::kInvalidOptions, "the demo is being made already");
+  const fs::path folder = places.data / "demo";
+  const fs::path run = folder / "run.nadir";
+  // One whose making was ended before its end is made again.
+  if (const auto made = RunReader::open(run); made && made->is_complete()) {
+    return perform(actions::OpenFile{run.string()});
+  }
   const int job = begin_effect("making the demo", true);
   effects.emplace_back(MakeDemoEffect{job, absolute_path(folder)});
   return {};
@@ -204,6 +154,14 @@ Result<void> Session::Implementation::perform(const actions::CloseRun& action) {
   const bool was_active = action.run == kept.view.active_run;
   take_run_out(kept.view, runs[*index].path.string());
   if (was_active) use_map_of_active_run();
+  return {};
+}
+
+Result<void> Session::Implementation::perform(const actions::SaveNow& /*action*/) {
+  if (places.config.empty()) {
+    return fail(ErrorCode::kInvalidOptions, "there is no folder to keep preferences in");
+  }
+  save_soon();
   return {};
 }
 

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
-#include "core/base/staged_output.h"
-#include "core/run/run_file.h"
+#include "core/session/saved_files.h"
 #include "core/session/session_core.h"
-#include "core/session/view_text.h"
 
 namespace nadir {
 namespace fs = std::filesystem;
@@ -14,60 +12,28 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kBetweenSavesS = 1.0;
-constexpr double kBetweenSavesWhilePlayingS = 10.0;
-constexpr const char* kSessionFile = "session.toml";
-constexpr const char* kPreferencesFile = "preferences.toml";
-
-/// Writes both files, those that have changed.
-Result<int> save_texts(const fs::path& folder,
-                       const std::optional<std::string>& session,
-                       const std::optional<std::string>& preferences) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) return fail(ErrorCode::kIo, "{}: {}", folder.string(), error.message());
-  for (const auto& [name, text] :
-       {std::pair(kSessionFile, &session), std::pair(kPreferencesFile, &preferences)}) {
-    if (!*text) continue;
-    if (const auto written = write_text_file(folder / name, **text); !written) {
-      return forward_error(written);
-    }
-  }
-  return 0;
-}
-
-/// Nothing where there is no such file.
-Result<std::optional<std::string>> text_if_there(const fs::path& file) {
-  std::error_code error;
-  if (!fs::exists(file, error)) return std::optional<std::string>();
-  constexpr std::uintmax_t kMostBytes = 4U << 20U;
-  auto text = read_text_file(file, kMostBytes);
-  if (!text) return forward_error(text);
-  return std::optional(std::move(*text));
-}
+constexpr double kBetweenSavesWhilePlayingS = 10.0, kBetweenAttemptsS = 10.0;
 
 }  // namespace
 
 std::string Session::Implementation::session_text() const {
-  SavedView saved{kept.view, playback, {}};
+  SavedView saved{kept.view, playback};
   saved.playback.is_playing = false;
-  if (!is_leaving) {
-    for (const RerunWork& work : reruns) saved.writing.push_back(work.run.string());
-  }
   return view_text(saved);
 }
 
-std::string Session::Implementation::preferences_text() const {
-  return nadir::preferences_text(
-      {kept.view.appearance, kept.memory_megabytes, recents, kept.layouts});
+Preferences Session::Implementation::preferences() const {
+  return {kept.view.appearance, kept.memory_megabytes, recents,
+          recent_commands,      kept.layouts,          turned_sections};
 }
 
-void Session::Implementation::set_damaged_aside(const fs::path& file, const Error& error) {
-  const fs::path aside = file.string() + ".damaged";
-  std::error_code failed;
-  fs::rename(file, aside, failed);
-  add_notice(Notice::Kind::kWarning, failed ? fmt::format("{}; it is not used", error.message)
-                                            : fmt::format("{}; it is not used, and kept as {}",
-                                                          error.message, aside.string()));
+void Session::Implementation::refuse_file(const fs::path& file, const Error& error) {
+  std::string what = "it stays as it is, and nothing is kept in its place";
+  if (error.code != ErrorCode::kUnsupported) {
+    const fs::path aside = set_aside(file);
+    what = aside.empty() ? "it is not used" : "it is not used, and kept as " + aside.string();
+  }
+  add_notice(Notice::Kind::kWarning, fmt::format("{}; {}", error.message, what));
 }
 
 void Session::Implementation::read_preferences() {
@@ -79,16 +45,52 @@ void Session::Implementation::read_preferences() {
     return;
   }
   if (!*text) return;
-  auto preferences = parse_preferences(**text, file.string());
-  if (!preferences) {
-    set_damaged_aside(file, preferences.error());
+  auto read = parse_preferences(**text, file.string());
+  if (!read) {
+    refuse_file(file, read.error());
     return;
   }
-  kept.view.appearance = preferences->appearance;
-  kept.memory_megabytes = preferences->memory_megabytes;
-  kept.layouts = std::move(preferences->layouts);
-  recents = std::move(preferences->recents);
-  saved_preferences = **text;
+  kept.view.appearance = read->appearance;
+  kept.memory_megabytes = read->memory_megabytes;
+  kept.layouts = std::move(read->layouts);
+  recents = std::move(read->recents);
+  recent_commands = std::move(read->recent_commands);
+  turned_sections = std::move(read->turned_sections);
+}
+
+void Session::Implementation::begin_keeping() {
+  read_preferences();
+  // What nobody has changed is not written: a window that opens nothing leaves the last session as it is.
+  saved_session = session_text();
+  saved_preferences = preferences();
+  for (const std::string& run : listed_runs(places.config).unfinished) {
+    unfinished.push_back(run);
+    Notice notice;
+    notice.kind = Notice::Kind::kWarning;
+    notice.text = fmt::format(
+        "{} was being made when Nadir was ended; what it had recorded until then is there", run);
+    notice.remedy = actions::OpenFile{run};
+    notice.remedy_title = "Open it";
+    add_notice(std::move(notice));
+  }
+}
+
+void Session::Implementation::settle_unfinished(const std::string& run) {
+  if (std::erase(unfinished, run) == 0) return;
+  take_off_lists(places.config, run);
+  std::erase_if(notices, [&run](const Notice& notice) {
+    const auto* const open =
+        notice.remedy ? std::get_if<actions::OpenFile>(&*notice.remedy) : nullptr;
+    return open != nullptr && open->path == run;
+  });
+}
+
+void Session::Implementation::list_what_is_written() {
+  std::vector<std::string> paths;
+  for (const RerunWork& work : reruns) paths.push_back(work.run.string());
+  if (const auto kept_list = writing.keep(paths); !kept_list) {
+    take_saving(forward_error(kept_list), {});
+  }
 }
 
 void Session::Implementation::restore() {
@@ -102,23 +104,13 @@ void Session::Implementation::restore() {
   if (!*text) return;
   auto saved = parse_view_text(**text, file.string());
   if (!saved) {
-    set_damaged_aside(file, saved.error());
+    refuse_file(file, saved.error());
     return;
   }
   ViewState& view = saved->view;
   std::error_code error;
-  for (const std::string& run : saved->writing) {
-    take_run_out(view, run);
-    // Still being written: by another window of Nadir, which shows it.
-    if (!fs::exists(run, error) || !RunWriter::check_output(run)) continue;
-    Notice notice;
-    notice.kind = Notice::Kind::kWarning;
-    notice.text = fmt::format(
-        "{} was being made when Nadir was ended; what it had recorded until then is there", run);
-    notice.remedy = actions::OpenFile{run};
-    notice.remedy_title = "Open it";
-    add_notice(std::move(notice));
-  }
+  // Those are offered, or another window is at work on them.
+  for (const std::string& run : listed_runs(places.config).incomplete) take_run_out(view, run);
   const auto is_gone = [&](const std::string& path) {
     if (path.empty() || fs::exists(path, error)) return false;
     add_notice(Notice::Kind::kWarning, fmt::format("{}: is not there any more", path));
@@ -136,46 +128,79 @@ void Session::Implementation::restore() {
   reconcile();
 }
 
+Savings Session::Implementation::changed_since_saving() const {
+  Savings savings{std::nullopt, std::nullopt, saved_preferences};
+  std::string text = session_text();
+  if (is_saving_due || text != saved_session) savings.session = std::move(text);
+  Preferences now = preferences();
+  if (is_saving_due || !(now == saved_preferences)) savings.preferences = std::move(now);
+  return savings;
+}
+
 void Session::Implementation::poll_saving(double elapsed_s) {
   if (places.config.empty()) return;
   if (saving) {
     if (!saving->is_done()) return;
-    const Result<int>& outcome = *std::as_const(*saving).outcome();
-    if (!outcome && !has_saving_failed) {
-      add_notice(Notice::Kind::kWarning,
-                 "what is open cannot be kept for the next start: " + outcome.error().message);
-    }
-    has_saving_failed = !outcome;
+    const Result<int> outcome = *std::as_const(*saving).outcome();
     saving.reset();
+    take_saving(outcome, std::exchange(being_saved, {}));
   }
   since_saving_s += std::max(elapsed_s, 0.0);
-  if (since_saving_s < (playback.is_playing ? kBetweenSavesWhilePlayingS : kBetweenSavesS)) return;
+  const double wait_s = !saving_fault.empty() ? kBetweenAttemptsS
+                        : playback.is_playing ? kBetweenSavesWhilePlayingS
+                                              : kBetweenSavesS;
+  if (since_saving_s < wait_s) return;
   since_saving_s = 0.0;
-  std::optional<std::string> session, preferences;
-  if (std::string text = session_text(); text != saved_session) session = std::move(text);
-  if (std::string text = preferences_text(); text != saved_preferences) {
-    preferences = std::move(text);
-  }
-  if (!session && !preferences) return;
-  if (session) saved_session = *session;
-  if (preferences) saved_preferences = *preferences;
-  saving.emplace([folder = places.config, session, preferences](const WorkContext& /*context*/,
-                                                                const auto& /*publish*/) {
-    return save_texts(folder, session, preferences);
+  being_saved = changed_since_saving();
+  if (being_saved.is_empty()) return;
+  is_saving_due = false;
+  saving.emplace([folder = places.config, savings = being_saved](
+                     const WorkContext& /*context*/, const auto& /*publish*/) -> Result<int> {
+    if (const auto saved = save_files(folder, savings); !saved) return forward_error(saved);
+    return 0;
   });
+}
+
+void Session::Implementation::take_saving(const Result<int>& outcome, const Savings& what) {
+  const bool had_failed = !saving_fault.empty();
+  saving_fault = outcome ? std::string() : outcome.error().message;
+  if (outcome) {
+    if (what.session) saved_session = *what.session;
+    if (what.preferences) saved_preferences = *what.preferences;
+    std::erase_if(notices, [](const Notice& notice) {
+      return notice.remedy && std::holds_alternative<actions::SaveNow>(*notice.remedy);
+    });
+    return;
+  }
+  if (had_failed) return;
+  Notice notice;
+  notice.kind = Notice::Kind::kWarning;
+  notice.text = "what is open cannot be kept for the next start: " + saving_fault;
+  notice.remedy = actions::SaveNow{};
+  notice.remedy_title = "Try again";
+  add_notice(std::move(notice));
+}
+
+void Session::Implementation::save_soon() {
+  is_saving_due = true;
+  since_saving_s = kBetweenAttemptsS;
 }
 
 void Session::Implementation::save_now() {
   if (places.config.empty()) return;
   saving.reset();  // waits for the one before, so that this one is the last
-  saved_session = session_text();
-  saved_preferences = preferences_text();
-  const auto saved = save_texts(places.config, saved_session, saved_preferences);
-  if (!saved && !has_saving_failed) {
-    add_notice(Notice::Kind::kWarning,
-               "what is open cannot be kept for the next start: " + saved.error().message);
-    has_saving_failed = true;
-  }
+  const Savings savings = changed_since_saving();
+  if (savings.is_empty()) return;
+  const auto saved = save_files(places.config, savings);
+  take_saving(saved ? Result<int>(0) : Result<int>(forward_error(saved)), savings);
+}
+
+std::span<const std::string> Session::turned_sections() const {
+  return implementation_->turned_sections;
+}
+
+void Session::keep_turned_sections(std::vector<std::string> paths) {
+  implementation_->turned_sections = std::move(paths);
 }
 
 }  // namespace nadir

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Options of the next run.
+#include <algorithm>
 #include <system_error>
 
 #include "core/base/staged_output.h"
@@ -27,6 +28,13 @@ std::map<std::string, std::string> changes_from(const RunOptions& preset,
   return changed;
 }
 
+std::optional<std::string> text_of_option(const RunOptions& options, const std::string& name) {
+  for (const OptionText& option : option_texts(options)) {
+    if (option.name == name) return option.value;
+  }
+  return std::nullopt;
+}
+
 /// A preset by its name; of one that this version does not know, the default one.
 std::pair<std::string, RunOptions> known_preset(const std::string& name) {
   if (const auto options = run_preset(name)) return {name, *options};
@@ -35,53 +43,71 @@ std::pair<std::string, RunOptions> known_preset(const std::string& name) {
 
 }  // namespace
 
+Result<OptionsBase> Session::Implementation::draft_base() const {
+  const std::string& name = kept.view.draft.preset;
+  const OpenRun* const run = active();
+  if (name != kOptionsOfRun || run == nullptr) {
+    const std::string preset = name == kOptionsOfRun ? "default" : name;
+    const auto options = run_preset(preset);
+    if (!options) return forward_error(options);
+    return OptionsBase{preset, *options};
+  }
+  if (run->document) {
+    const auto options = recorded_options(run->document->header);
+    if (!options) return forward_error(options, run->path.string());
+    return OptionsBase{run->document->header.preset, *options};
+  }
+  const auto writer = std::find_if(reruns.begin(), reruns.end(),
+                                   [run](const RerunWork& work) { return work.run == run->path; });
+  if (writer != reruns.end()) return writer->base;
+  return fail(ErrorCode::kInvalidOptions, "{} is still being read", run->name);
+}
+
 Result<RunOptions> Session::Implementation::draft_options() const {
-  const RunDraft& draft = kept.view.draft;
-  auto options = run_preset(draft.preset);
-  if (!options) return options;
-  for (const auto& [name, value] : draft.changed) {
-    if (const auto set = set_option(*options, name, value); !set) {
+  auto base = draft_base();
+  if (!base) return forward_error(base);
+  for (const auto& [name, value] : kept.view.draft.changed) {
+    if (const auto set = set_option(base->options, name, value); !set) {
       return tl::unexpected(without_dashes(set.error()));
     }
   }
-  return options;
+  return base->options;
 }
 
 Result<void> Session::Implementation::perform(const actions::SetOption& action) {
   RunDraft& draft = kept.view.draft;
-  const auto preset = run_preset(draft.preset);
-  if (!preset) return forward_error(preset);
-  if (!action.value) {
-    RunOptions unchanged = *preset;  // asks whether there is such an option
-    for (const OptionText& option : option_texts(unchanged)) {
-      if (option.name != action.name) continue;
-      draft.changed.erase(action.name);
-      return {};
-    }
-    return set_option(unchanged, action.name, "");
+  const auto base = draft_base();
+  // Of a run that is still being read nobody knows yet what differs: then the change is kept as it is.
+  if (!base && draft.preset != kOptionsOfRun) return forward_error(base);
+  RunOptions options = base ? base->options : RunOptions();
+  const auto unchanged = text_of_option(options, action.name);
+  if (!action.value && unchanged) {
+    draft.changed.erase(action.name);
+    return {};
   }
-  auto options = draft_options();
-  if (!options) {  // a kept change that no longer fits must not be in the way of the others
-    draft.changed.clear();
-    options = preset;
+  const auto set = set_option(options, action.name, action.value.value_or(""));
+  if (!set) return tl::unexpected(without_dashes(set.error()));
+  const auto changed = text_of_option(options, action.name);
+  if (base && changed == unchanged) {
+    draft.changed.erase(action.name);
+  } else {
+    draft.changed[action.name] = changed.value_or("");
   }
-  if (const auto set = set_option(*options, action.name, *action.value); !set) {
-    return tl::unexpected(without_dashes(set.error()));
-  }
-  draft.changed = changes_from(*preset, *options);
+  // A kept change that no longer fits must not be in the way of the others.
+  std::erase_if(draft.changed, [&options](const auto& change) {
+    return !set_option(options, change.first, change.second);
+  });
   return {};
 }
 
 Result<void> Session::Implementation::perform(const actions::UsePreset& action) {
   RunDraft& draft = kept.view.draft;
-  if (action.name == "run") {
+  if (action.name == kOptionsOfRun) {
     const auto run = need_run();
     if (!run) return forward_error(run);
-    const RunHeader& header = (*run)->document->header;
-    const auto options = recorded_options(header);
+    const auto options = recorded_options((*run)->document->header);
     if (!options) return forward_error(options, (*run)->path.string());
-    const auto [name, preset] = known_preset(header.preset);
-    draft = {name, changes_from(preset, *options)};
+    draft = {kOptionsOfRun, {}};
     return {};
   }
   if (const auto preset = run_preset(action.name)) {
@@ -104,15 +130,17 @@ Result<void> Session::Implementation::perform(const actions::UsePreset& action) 
 
 Result<void> Session::Implementation::perform(const actions::SavePreset& action) {
   if (action.file.empty()) return fail(ErrorCode::kInvalidOptions, "no file is named");
+  const auto base = draft_base();
   const auto options = draft_options();
-  if (!options) return forward_error(options);
-  const RunDraft& draft = kept.view.draft;
+  if (!base || !options) return tl::unexpected(base ? options.error() : base.error());
+  const auto [name, preset] = known_preset(base->preset);
+  const auto changed = changes_from(preset, *options);
   std::string text =
       "# Options for 'nadir localise --recipe', written by Nadir's window.\npreset = " +
-      toml_quoted(draft.preset) + "\n";
-  if (!draft.changed.empty()) text += "\n[options]\n";
+      toml_quoted(name) + "\n";
+  if (!changed.empty()) text += "\n[options]\n";
   for (const OptionText& option : option_texts(*options)) {
-    if (!draft.changed.contains(option.name)) continue;
+    if (!changed.contains(option.name)) continue;
     const bool is_word = option.kind == OptionKind::kChoice || option.kind == OptionKind::kOwnText;
     text += option.name + " = " + (is_word ? toml_quoted(option.value) : option.value) + "\n";
   }

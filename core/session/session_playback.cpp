@@ -154,10 +154,61 @@ Result<void> Session::Implementation::perform(const actions::GoToDivergence& act
   }
   const auto parting = first_divergence(*(*needed)->document, *other.document);
   if (!parting) {
-    return fail(ErrorCode::kInvalidOptions, "{} and {} never part", (*needed)->name, other.name);
+    return fail(ErrorCode::kInvalidOptions, "{} and {} never part: they are nowhere {}",
+                (*needed)->name, other.name, divergence_words());
   }
   seek(parting->time_s);
+  add_notice(Notice::Kind::kInfo,
+             fmt::format("{} and {} part here, {}: parted is {}", (*needed)->name, other.name,
+                         parting->words, divergence_words()));
   return {};
+}
+
+void Session::Implementation::settle_time() {
+  const OpenRun* const run = active();
+  const std::string path = run != nullptr ? run->path.string() : std::string();
+  if (wanted_time_s) {
+    playback.time_s = *wanted_time_s;
+    timed_path = path;
+    timed_run.reset();
+    wanted_time_s.reset();
+  }
+  if (run == nullptr) {
+    playback.is_playing = false;
+    followed_run.clear();
+    return;
+  }
+  if (!run->document) return;
+  const RunDocument& now = *run->document;
+  if (path != timed_path && timed_run) {
+    if (are_of_same_flight(timed_run->header, now.header)) {
+      const double shift_s = timed_run->start_clock_s - now.start_clock_s;
+      playback.time_s += shift_s;
+      if (playback.loop_from_s) *playback.loop_from_s += shift_s;
+      if (playback.loop_to_s) *playback.loop_to_s += shift_s;
+    } else {
+      playback.time_s = 0.0;
+      playback.loop_from_s.reset();
+      playback.loop_to_s.reset();
+      playback.is_playing = false;
+    }
+  }
+  if (path != timed_path || !timed_run || timed_run->start_clock_s != now.start_clock_s) {
+    timed_run = TimedRun{now.header, now.start_clock_s};
+  }
+  timed_path = path;
+  const double end_s = now.duration_s();
+  if (followed_run == path) playback.time_s = end_s;
+  // What is being written may still come to where the cursor waits.
+  if (!run->is_live) playback.time_s = std::min(playback.time_s, end_s);
+  playback.time_s = std::max(playback.time_s, 0.0);
+  if (playback.loop_from_s && (*playback.loop_from_s < 0.0 || *playback.loop_from_s >= end_s)) {
+    playback.loop_from_s.reset();
+    playback.loop_to_s.reset();
+  }
+  if (playback.loop_to_s && !run->is_live) {
+    playback.loop_to_s = std::min(*playback.loop_to_s, end_s);
+  }
 }
 
 void Session::Implementation::move_on(double elapsed_s) {

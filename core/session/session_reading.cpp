@@ -2,8 +2,9 @@
 // Runs on their way from the disk. All reading is done by jobs; this takes over what they have read.
 #include <algorithm>
 #include <set>
+#include <system_error>
+#include <utility>
 
-#include "core/session/run_comparison.h"
 #include "core/session/session_core.h"
 
 namespace nadir {
@@ -12,6 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kLeastBetweenReadingsS = 0.25;
+constexpr double kBetweenLooksS = 1.0;  // at a run that another program may be writing
 
 /// The file's name, with its folder or a number where another open run is called so.
 std::string name_of_run(const fs::path& path, const std::set<std::string>& taken) {
@@ -27,6 +29,14 @@ std::string name_of_run(const fs::path& path, const std::set<std::string>& taken
 
 }  // namespace
 
+FileState file_state(const fs::path& path) {
+  std::error_code error;
+  FileState state;
+  state.bytes = fs::file_size(path, error);
+  state.written = fs::last_write_time(path, error);
+  return state;
+}
+
 bool Session::Implementation::is_being_written(const fs::path& run) const {
   return std::any_of(reruns.begin(), reruns.end(),
                      [&](const RerunWork& work) { return work.run == run; });
@@ -38,6 +48,10 @@ void Session::Implementation::reconcile() {
       std::equal(runs.begin(), runs.end(), view.runs.begin(), view.runs.end(),
                  [](const OpenRun& run, const RunLook& look) { return run.path == look.path; });
   if (!are_the_same) reconcile_runs();
+  std::erase_if(map_wishes, [&view](const auto& wish) {
+    return std::none_of(view.runs.begin(), view.runs.end(),
+                        [&wish](const RunLook& look) { return look.path == wish.first; });
+  });
   for (OpenRun& run : runs) {
     const auto marked = kept.bookmarks.find(run.path.string());
     if (marked != kept.bookmarks.end()) run.bookmarks = marked->second;
@@ -100,53 +114,12 @@ void Session::Implementation::reconcile_runs() {
   }
 }
 
-void Session::Implementation::settle_time() {
-  const OpenRun* const run = active();
-  const std::string path = run != nullptr ? run->path.string() : std::string();
-  if (wanted_time_s) {
-    playback.time_s = *wanted_time_s;
-    timed_path = path;
-    timed_document = nullptr;
-    wanted_time_s.reset();
-  }
-  if (run == nullptr) {
-    playback.is_playing = false;
-    followed_run.clear();
-    return;
-  }
-  if (!run->document) return;
-  const RunDocument& now = *run->document;
-  if (path != timed_path && timed_document) {
-    const RunDocument& before = *timed_document;
-    if (are_of_same_flight(before.header, now.header)) {
-      const double shift_s = before.time_in(now, 0.0);
-      playback.time_s += shift_s;
-      if (playback.loop_from_s) *playback.loop_from_s += shift_s;
-      if (playback.loop_to_s) *playback.loop_to_s += shift_s;
-    } else {
-      playback.time_s = 0.0;
-      playback.loop_from_s.reset();
-      playback.loop_to_s.reset();
-      playback.is_playing = false;
-    }
-  }
-  timed_path = path;
-  timed_document = run->document;
-  const double end_s = now.duration_s();
-  if (followed_run == path) playback.time_s = end_s;
-  // What is being written may still come to where the cursor waits.
-  if (!run->is_live) playback.time_s = std::min(playback.time_s, end_s);
-  playback.time_s = std::max(playback.time_s, 0.0);
-  if (playback.loop_from_s && (*playback.loop_from_s < 0.0 || *playback.loop_from_s >= end_s)) {
-    playback.loop_from_s.reset();
-    playback.loop_to_s.reset();
-  }
-}
-
 void Session::Implementation::begin_reading(std::size_t run) {
   const auto earlier = runs[run].document;
   works[run].since_reading_s = 0.0;
   works[run].is_last_reading_due = false;
+  works[run].file = file_state(runs[run].path);
+  works[run].since_look_s = 0.0;
   works[run].reading.emplace(
       [earlier, path = runs[run].path](const WorkContext& context,
                                        const auto& /*publish*/) -> Result<ReadRun> {
@@ -179,16 +152,19 @@ void Session::Implementation::take_run(std::size_t index) {
     drop_run(run.path.string());
     return;
   }
-  const bool is_first = run.document == nullptr;
-  run.document = std::move(read->document);
+  const auto before = std::exchange(run.document, std::move(read->document));
   run.moments = run.document->worst_moments;
-  if (!is_first) {
+  const std::string path = run.path.string();
+  if (before) {
     if (run.cache) run.cache->set_document(run.document);
+    if (!(before->header == run.document->header)) {  // another run has taken its name
+      timed_run.reset();
+      find_inputs(index);
+    }
     settle_time();
-    if (!run.is_live && followed_run == run.path) followed_run.clear();
+    let_go_of_follow(index);
     return;
   }
-  const std::string path = run.path.string();
   if (run.document->steps.empty() && !run.is_live) {
     add_notice(Notice::Kind::kError, fmt::format("{}: holds no steps", path));
     drop_run(path);
@@ -204,10 +180,16 @@ void Session::Implementation::take_run(std::size_t index) {
   }
   if (!run.is_live) remember(path);
   find_inputs(index);
+  let_go_of_follow(index);
+}
+
+void Session::Implementation::let_go_of_follow(std::size_t index) {
+  if (!runs[index].is_live && followed_run == runs[index].path) followed_run.clear();
 }
 
 void Session::Implementation::drop_run(const std::string& path) {
   std::erase(recents, path);
+  if (followed_run == path) followed_run.clear();
   amend([&path](KeptState& state) {
     take_run_out(state.view, path);
     state.bookmarks.erase(path);
@@ -218,6 +200,7 @@ void Session::Implementation::drop_run(const std::string& path) {
 void Session::Implementation::poll_reading(double elapsed_s) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     works[i].since_reading_s += elapsed_s;
+    works[i].since_look_s += elapsed_s;
     if (works[i].reading && works[i].reading->is_done()) {
       take_run(i);
       break;  // the list may be another one now; the rest comes with the next frame
@@ -228,7 +211,9 @@ void Session::Implementation::poll_reading(double elapsed_s) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (works[i].reading) continue;
     if (works[i].is_last_reading_due) begin_reading(i);
-    if (!runs[i].is_live || works[i].since_reading_s < kLeastBetweenReadingsS) continue;
+    if (!runs[i].is_live) look_at_file(i);
+    if (!runs[i].is_live || works[i].reading || works[i].since_reading_s < kLeastBetweenReadingsS)
+      continue;
     const auto writer = std::find_if(reruns.begin(), reruns.end(), [&](const RerunWork& work) {
       return work.run == runs[i].path;
     });
@@ -237,6 +222,22 @@ void Session::Implementation::poll_reading(double elapsed_s) {
     const std::size_t known = runs[i].document ? runs[i].document->steps.size() : 0;
     if (progress && static_cast<std::size_t>(progress->steps) > known) begin_reading(i);
   }
+}
+
+void Session::Implementation::look_at_file(std::size_t index) {
+  RunWork& work = works[index];
+  const std::shared_ptr<const RunDocument> document = runs[index].document;
+  if (!document || work.reading) return;
+  const bool may_grow = !document->is_complete && work.since_look_s >= kBetweenLooksS;
+  if (!may_grow && !work.is_opened_again) return;
+  work.since_look_s = 0.0;
+  if (!(file_state(runs[index].path) == work.file)) begin_reading(index);
+  if (!std::exchange(work.is_opened_again, false)) return;
+  // What was not there, or could not be read, may be whole now.
+  const auto flight = flights.find(work.flight_path);
+  const bool has_failed = flight != flights.end() && flight->second.has_failed;
+  if (has_failed) flight->second.has_failed = false;
+  if (has_failed || work.flight_path.empty() || work.map_path.empty()) find_inputs(index);
 }
 
 void Session::Implementation::share_memory() {

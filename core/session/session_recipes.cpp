@@ -52,6 +52,17 @@ Result<void> Session::Implementation::open_recipe(std::string_view text, const f
     open_run(placed(run));
   }
   if (!runs_named->empty()) open_run(placed(runs_named->front()));  // the one that it is about
+  if (map_named->empty() && !runs_named->empty()) {                 // then it shows the run's own
+    const fs::path run = placed(runs_named->front());
+    const auto open = std::find_if(runs.begin(), runs.end(),
+                                   [&run](const OpenRun& one) { return one.path == run; });
+    if (open != runs.end()) {
+      use_map_of_active_run();
+    } else {
+      map_wishes[run.string()] = {history.last_change() + 1, true};
+    }
+  }
+  followed_run.clear();
   if (!map_named->empty()) {
     if (auto opened = open_map(placed(*map_named)); !opened) {
       return forward_error(opened, file.string());

@@ -2,9 +2,12 @@
 // Runs while they are made.
 #include <algorithm>
 #include <cctype>
+#include <optional>
+#include <string_view>
+#include <system_error>
 #include <thread>
 
-#include "core/run/resume_point.h"
+#include "core/run/run_prior.h"
 #include "core/session/session_core.h"
 
 namespace nadir {
@@ -12,12 +15,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// "loop" of "loop-2".
-std::string without_number(const std::string& name) {
+/// "loop" of "loop-2"; nothing where no number that this program gives stands behind a name.
+std::optional<std::string> before_number(const std::string& name) {
   std::size_t end = name.size();
   while (end > 0 && std::isdigit(static_cast<unsigned char>(name[end - 1])) != 0) --end;
-  const bool has_number = end < name.size() && end > 1 && name[end - 1] == '-';
-  return has_number ? name.substr(0, end - 1) : name;
+  const std::string_view number = std::string_view(name).substr(end);
+  const bool is_given = !number.empty() && number.front() != '0' && number != "1";
+  if (!is_given || end < 2 || name[end - 1] != '-') return std::nullopt;
+  return name.substr(0, end - 1);
 }
 
 std::string name_of_folder(const fs::path& folder) {
@@ -31,10 +36,28 @@ int threads_for_reruns() {
 
 }  // namespace
 
-Result<fs::path> Session::Implementation::name_of_next_run(const FlightDescription& flight) const {
-  const OpenRun* const run = active();
-  const std::string name =
-      run != nullptr ? without_number(run->path.stem().string()) : name_of_folder(flight.path);
+std::string Session::Implementation::name_without_number(const OpenRun& run) const {
+  std::string stem = run.path.stem().string();
+  const auto base = before_number(stem);
+  if (!base) return stem;
+  // The number is ours where there is the run that it was counted from; "drive-12" may be somebody's own name.
+  const auto is_base = [&base](const fs::path& path) {
+    const std::string name = path.stem().string();
+    return name == *base || before_number(name) == base;
+  };
+  std::error_code error;
+  const bool is_counted = fs::exists(run.path.parent_path() / (*base + ".nadir"), error) ||
+                          (run.document && !run.document->header.parent_run.empty() &&
+                           is_base(run.document->header.parent_run)) ||
+                          std::any_of(runs.begin(), runs.end(), [&](const OpenRun& other) {
+                            return other.path != run.path && other.path.stem().string() == *base;
+                          });
+  return is_counted ? *base : stem;
+}
+
+Result<fs::path> Session::Implementation::name_of_next_run(const FlightDescription& flight,
+                                                           const OpenRun* run) const {
+  const std::string name = run != nullptr ? name_without_number(*run) : name_of_folder(flight.path);
   std::vector<fs::path> folders;
   if (run != nullptr) folders.push_back(run->path.parent_path());
   folders.push_back(fs::path(absolute_path(flight.path)).parent_path());
@@ -59,79 +82,119 @@ Result<fs::path> Session::Implementation::name_of_next_run(const FlightDescripti
   return tl::unexpected(last);
 }
 
-Result<void> Session::Implementation::perform(const actions::Rerun& action) {
-  const OpenRun* const from = active();
-  const auto recording = flight();
-  if (!recording) {
-    const std::string path = from != nullptr
-                                 ? works[static_cast<std::size_t>(from - runs.data())].flight_path
-                                 : kept.view.flight_path;
-    const auto found = flights.find(path);
-    if (found != flights.end() && found->second.reading) {
-      return fail(ErrorCode::kInvalidOptions, "the flight is still being read");
-    }
-    if (from == nullptr) {
-      return fail(ErrorCode::kInvalidOptions, "no flight is open: open a run or a flight first");
-    }
-    return fail(ErrorCode::kInvalidOptions,
-                "{}: its flight is not there, so it cannot be run again", from->name);
+Result<std::string> Session::Implementation::flight_to_localise(const OpenRun* run) const {
+  const std::string& path = run != nullptr
+                                ? works[static_cast<std::size_t>(run - runs.data())].flight_path
+                                : kept.view.flight_path;
+  if (flight_of(path) != nullptr) return path;
+  const auto found = flights.find(path);
+  if (found != flights.end() && found->second.reading) {
+    return fail(ErrorCode::kInvalidOptions, "the flight is still being read");
   }
+  if (run != nullptr && !run->document && !run->is_live) {
+    return fail(ErrorCode::kInvalidOptions, "{} is still being read", run->name);
+  }
+  if (run != nullptr) {
+    return fail(ErrorCode::kInvalidOptions,
+                "{}: its flight is not there, so it cannot be run again", run->name);
+  }
+  return fail(ErrorCode::kInvalidOptions, "no flight is open: open {} first",
+              runs.empty() ? "a run or a flight" : "one");
+}
+
+Result<std::optional<Prior>> Session::Implementation::prior_of(const OpenRun& run) const {
+  if (run.document) return recorded_prior(run.path, run.document->header);
+  const auto writer = std::find_if(reruns.begin(), reruns.end(),
+                                   [&run](const RerunWork& work) { return work.run == run.path; });
+  if (writer != reruns.end()) return writer->prior;
+  return fail(ErrorCode::kInvalidOptions, "{} is still being read", run.name);
+}
+
+Result<void> Session::Implementation::set_start(RerunTask& task,
+                                                RerunFrom from,
+                                                const OpenRun* run) const {
+  if (from == RerunFrom::kCursor) {
+    const auto needed = need_run();
+    if (!needed) return forward_error(needed);
+    const RunDocument& document = *(*needed)->document;
+    const auto index = document.index_at(playback.time_s);
+    if (*index + 1 == document.steps.size() && document.is_complete) {
+      return fail(ErrorCode::kInvalidOptions, "nothing of the flight comes after this moment");
+    }
+    task.parent = (*needed)->path;
+    task.from_s = document.time_s[*index];
+    return {};
+  }
+  if (run != nullptr) {
+    const auto prior = prior_of(*run);
+    if (!prior) return forward_error(prior);
+    task.prior = *prior;
+  }
+  if (!task.prior && !task.flight->description().truth) {
+    return fail(ErrorCode::kInvalidOptions,
+                "{}: holds no truth to start from; 'nadir localise' takes a start (--prior, "
+                "--global), and such a run can be run again here",
+                task.flight->description().path.string());
+  }
+  return {};
+}
+
+void Session::Implementation::say_what_of_map_changed(const OpenRun& run) {
+  if (!run.document || run.document->header.map_hash.empty()) return;
+  const RunHeader& header = run.document->header;
+  if (header.map_hash == map->hash) return;
+  add_notice(
+      Notice::Kind::kWarning,
+      fmt::format("{} was made on {}, whose cells are not those of the map that is open, {}: "
+                  "what differs may be the map's doing",
+                  run.name, header.map_path, map->path.string()));
+}
+
+Result<void> Session::Implementation::perform(const actions::Rerun& action) {
+  const OpenRun* const run = action.from == RerunFrom::kFlight ? nullptr : active();
+  const auto path_of_flight = flight_to_localise(run);
+  if (!path_of_flight) return forward_error(path_of_flight);
   if (!map || !map->index) {
     return fail(ErrorCode::kInvalidOptions, "{}",
                 map ? "the map is still being read" : "no map is open: open one first");
   }
+  const auto base = draft_base();
   const auto options = draft_options();
-  if (!options) return forward_error(options);
+  if (!base || !options) return tl::unexpected(base ? options.error() : base.error());
   if (const auto valid = validate_run(*options); !valid) {
     return tl::unexpected(without_dashes(valid.error()));
   }
-  RerunTask task{.flight = recording,
+  RerunTask task{.flight = flight_of(*path_of_flight),
                  .map = map->index,
                  .map_path = map->path.string(),
-                 .preset = kept.view.draft.preset,
+                 .preset = base->preset,
                  .options = *options,
                  .prior = std::nullopt,
                  .parent = {},
                  .from_s = 0.0,
                  .run = {},
                  .threads = threads_for_reruns()};
-  const FlightDescription& description = recording->description();
-  const RunDocument* const document = active_document();
-  if (action.from == RerunFrom::kCursor) {
-    const auto run = need_run();
-    if (!run) return forward_error(run);
-    const auto index = (*run)->document->index_at(playback.time_s);
-    if (*index + 1 == (*run)->document->steps.size() && (*run)->document->is_complete) {
-      return fail(ErrorCode::kInvalidOptions, "nothing of the flight comes after this moment");
-    }
-    task.parent = (*run)->path;
-    task.from_s = (*run)->document->time_s[*index];
-  } else if (!description.truth && document != nullptr && !document->steps.empty()) {
-    // Dead reckoning begins where the run was told that the flight begins.
-    if (const auto& start = document->steps.front().odometry_in_enu) {
-      task.prior = GaussianPrior{.mean_in_enu = *start};
-    }
-  }
-  const auto path = name_of_next_run(description);
+  if (auto start = set_start(task, action.from, run); !start) return start;
+  const auto path = name_of_next_run(task.flight->description(), run);
   if (!path) return forward_error(path);
   task.run = *path;
+  const auto prior = run != nullptr ? prior_of(*run) : Result<std::optional<Prior>>(task.prior);
   const std::string name = path->stem().string();
-  const auto read = std::find_if(flights.begin(), flights.end(), [&](const auto& flight) {
-    return flight.second.recording == recording;
-  });
-  const std::string flight_path = read != flights.end() ? read->first : std::string();
-  reruns.push_back({++last_number, name, *path, flight_path, map->path.string(),
+  if (run != nullptr) say_what_of_map_changed(*run);
+  reruns.push_back({++last_number, name, *path, *path_of_flight, map->path.string(),
+                    OptionsBase{task.preset, task.options}, prior,
                     Job<RerunProgress, RerunOutcome>(
                         [task = std::move(task)](const WorkContext& context, const auto& publish) {
                           return rerun(task, context, [&publish](RerunProgress progress) {
                             publish(std::make_shared<const RerunProgress>(progress));
                           });
                         })});
+  list_what_is_written();  // so that the next start knows of it, whatever happens
   open_run(path->string());
   // From here: the moment that is studied stays in sight. From the start: watch it go.
-  followed_run = action.from == RerunFrom::kStart ? path->string() : std::string();
+  followed_run = action.from == RerunFrom::kCursor ? std::string() : path->string();
   playback.is_playing = false;
-  save_now();  // so that the next start knows of it, whatever happens
+  save_now();
   return {};
 }
 
@@ -177,6 +240,7 @@ void Session::Implementation::poll_reruns() {
 }
 
 void Session::Implementation::end_rerun(RerunWork& work) {
+  list_what_is_written();
   const std::string path = work.run.string();
   const auto found = std::find_if(runs.begin(), runs.end(),
                                   [&](const OpenRun& run) { return run.path == work.run; });
@@ -198,10 +262,15 @@ void Session::Implementation::end_rerun(RerunWork& work) {
   }
   remember(path);
   Notice notice;
-  notice.text =
-      outcome->was_stopped
-          ? fmt::format("{} was stopped; its {} steps are kept", work.name, outcome->steps)
-          : fmt::format("{} is done: {} steps", work.name, outcome->steps);
+  if (!outcome->fault.empty()) {
+    notice.kind = Notice::Kind::kError;
+    notice.text = fmt::format("{} failed after {} steps; they are kept: {}", work.name,
+                              outcome->steps, outcome->fault);
+  } else if (outcome->was_stopped) {
+    notice.text = fmt::format("{} was stopped; its {} steps are kept", work.name, outcome->steps);
+  } else {
+    notice.text = fmt::format("{} is done: {} steps", work.name, outcome->steps);
+  }
   notice.details = path;
   if (found == runs.end()) {
     notice.remedy = actions::OpenFile{path};

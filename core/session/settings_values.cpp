@@ -99,38 +99,22 @@ void take_layout(SettingsValues& values, WindowLayout& into) {
   values.take("map_only", into.is_map_only);
   values.take("left_tab", into.left_tab);
   values.take("right_tab", into.right_tab);
-  const Settings& settings = values.settings();
-  if (settings.has("panels")) {
-    std::vector<std::string> shown;
+  if (values.settings().has("panels")) {
+    std::vector<Panel> shown;
     values.take("panels", shown);
     into.is_shown.fill(false);
-    for (const std::string& word : shown) {
-      const auto& names = EnumNames<Panel>::kNames;
-      const auto found = std::find(names.begin(), names.end(), word);
-      if (found == names.end()) {
-        values.say(fail(ErrorCode::kMalformed, "{}: panels: there is no panel '{}'",
-                        settings.name(), word));
-        return;
-      }
-      into.is_shown.at(static_cast<std::size_t>(found - names.begin())) = true;
-    }
+    for (const Panel panel : shown) into.is_shown.at(static_cast<std::size_t>(panel)) = true;
   }
-  if (!values.outcome() || !settings.has("strip")) return;
-  const auto strips = settings.tables("strip");
-  if (!strips) {
-    values.say(forward_error(strips));
-    return;
-  }
-  into.strips.clear();
-  for (const Settings& table : *strips) {
+  std::vector<StripLook> strips;
+  const auto taken = each_table(values.settings(), "strip", [&strips](SettingsValues& strip) {
     StripLook look;
-    SettingsValues strip(table);
-    strip.take("name", look.strip);
+    const bool is_known = strip.take("name", look.strip);
     strip.take("visible", look.is_visible);
     strip.take("height_pt", look.height_pt);
-    if (!strip.outcome()) values.say(forward_error(strip.outcome()));
-    into.strips.push_back(look);
-  }
+    if (is_known) strips.push_back(look);
+  });
+  if (!taken) values.say(forward_error(taken));
+  if (!strips.empty()) into.strips = std::move(strips);
 }
 
 std::string appearance_lines(const Appearance& appearance) {

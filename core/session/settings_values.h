@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,19 +29,24 @@ class SettingsValues {
   void take(std::string_view key, std::optional<double>& into);
   void take(std::string_view key, std::optional<std::string>& into);
   void take(std::string_view key, Eigen::Vector2d& into);
+  /// @returns whether it is there and one that this version knows; else the value stays as it is, which is no fault: a later
+  /// version may know more.
   template <typename Enum>
   requires std::is_enum_v<Enum>
-  void take(std::string_view key, Enum& into) {
+  bool take(std::string_view key, Enum& into) {
     std::string word;
     take(key, word);
-    if (!outcome_ || word.empty()) return;
-    const auto& names = EnumNames<Enum>::kNames;
-    const auto found = std::find(names.begin(), names.end(), word);
-    if (found != names.end()) {
-      into = static_cast<Enum>(found - names.begin());
-    } else {
-      say(fail(ErrorCode::kMalformed, "{}: {} is none that this version knows: {}",
-               settings_.name(), key, word));
+    return outcome_ && take_word(word, into);
+  }
+  /// Several of such values, those that this version knows.
+  template <typename Enum>
+  requires std::is_enum_v<Enum>
+  void take(std::string_view key, std::vector<Enum>& into) {
+    std::vector<std::string> words;
+    take(key, words);
+    for (const std::string& word : words) {
+      Enum value{};
+      if (take_word(word, value)) into.push_back(value);
     }
   }
 
@@ -51,6 +57,14 @@ class SettingsValues {
   [[nodiscard]] const Result<void>& outcome() const { return outcome_; }
 
  private:
+  template <typename Enum>
+  static bool take_word(const std::string& word, Enum& into) {
+    const auto& names = EnumNames<Enum>::kNames;
+    const auto found = std::find(names.begin(), names.end(), word);
+    if (found == names.end()) return false;
+    into = static_cast<Enum>(found - names.begin());
+    return true;
+  }
   template <typename T>
   void take_by(std::string_view key,
                T& into,
@@ -67,6 +81,31 @@ class SettingsValues {
   const Settings& settings_;
   Result<void> outcome_;
 };
+
+/// Calls `take` with every table of a list; nothing where there is no such list. @errors the first that `take` met.
+template <typename Take>
+Result<void> each_table(const Settings& settings, const char* key, const Take& take) {
+  if (!settings.has(key)) return {};
+  const auto tables = settings.tables(key);
+  if (!tables) return forward_error(tables);
+  for (const Settings& table : *tables) {
+    SettingsValues values(table);
+    take(values);
+    if (!values.outcome()) return values.outcome();
+  }
+  return {};
+}
+
+/// The same with one table.
+template <typename Take>
+Result<void> one_table(const Settings& settings, const char* key, const Take& take) {
+  if (!settings.has(key)) return {};
+  const auto table = settings.table(key);
+  if (!table) return forward_error(table);
+  SettingsValues values(*table);
+  take(values);
+  return values.outcome();
+}
 
 /// A line "key = value" of TOML.
 [[nodiscard]] std::string toml_line(std::string_view key, double value);

@@ -59,6 +59,9 @@ void repair_map(MapLook& map) {
     if (look.colour && !is_colour_text(*look.colour)) look.colour.reset();
   }
   map.order = each_once(map.order, normal.order, [](Layer layer) { return layer; });
+  // The legend is no part of the ground: nothing lies on it.
+  std::stable_partition(map.order.begin(), map.order.end(),
+                        [](Layer layer) { return layer != Layer::kLegend; });
 }
 
 }  // namespace
@@ -74,6 +77,7 @@ std::optional<Column> column_of(Panel panel) {
     case Panel::kLayers:
     case Panel::kRuns:
     case Panel::kBookmarks:
+    case Panel::kLog:
       return Column::kLeft;
     case Panel::kMoment:
     case Panel::kWhy:
@@ -84,7 +88,6 @@ std::optional<Column> column_of(Panel panel) {
       return Column::kRight;
     case Panel::kTimeline:
     case Panel::kStatus:
-    case Panel::kLog:
       break;
   }
   return std::nullopt;

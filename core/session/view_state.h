@@ -142,17 +142,30 @@ struct EnumNames<Strip> {
 };
 inline constexpr std::size_t kStripCount = EnumNames<Strip>::kNames.size();
 
-enum class Overlay { kNone, kPalette, kShortcuts, kPreferences, kAbout, kPlace, kBookmark };
+enum class Overlay {
+  kNone,
+  kPalette,
+  kShortcuts,
+  kPreferences,
+  kAbout,
+  kPlace,
+  kBookmark,
+  kOpen,
+  kExport,
+  kSaveRecipe
+};
 template <>
 struct EnumNames<Overlay> {
-  static constexpr std::array<std::string_view, 7> kNames = {
-      "none", "palette", "shortcuts", "preferences", "about", "place", "bookmark"};
+  static constexpr std::array<std::string_view, 10> kNames = {
+      "none",  "palette",  "shortcuts", "preferences", "about",
+      "place", "bookmark", "open",      "export",      "save-recipe"};
 };
 
-enum class RerunFrom { kStart, kCursor };
+/// kFlight: not the active run's flight, but the one that was opened by itself.
+enum class RerunFrom { kStart, kCursor, kFlight };
 template <>
 struct EnumNames<RerunFrom> {
-  static constexpr std::array<std::string_view, 2> kNames = {"start", "cursor"};
+  static constexpr std::array<std::string_view, 3> kNames = {"start", "cursor", "flight"};
 };
 
 struct LayerLook {
@@ -207,10 +220,13 @@ struct Appearance {
   friend bool operator==(const Appearance&, const Appearance&) = default;
 };
 
+/// In place of a preset's name: the options of the active run; without a run, those of the default preset.
+inline constexpr const char* kOptionsOfRun = "run";
+
 /// What the next run is made with.
 struct RunDraft {
-  std::string preset = "default";
-  std::map<std::string, std::string> changed;  ///< Options that differ from the preset's, as text.
+  std::string preset = kOptionsOfRun;
+  std::map<std::string, std::string> changed;  ///< Options that differ from those, as text.
   friend bool operator==(const RunDraft&, const RunDraft&) = default;
 };
 

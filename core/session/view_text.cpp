@@ -9,6 +9,8 @@
 namespace nadir {
 namespace {
 
+using detail::each_table;
+using detail::one_table;
 using detail::SettingsValues;
 using detail::toml_line;
 
@@ -53,53 +55,24 @@ void take_map(SettingsValues& values, MapLook& into) {
   }
 }
 
-/// Calls `take` with every table of a list; nothing where there is no such list.
-template <typename Take>
-Result<void> each_table(const Settings& settings, const char* key, const Take& take) {
-  if (!settings.has(key)) return {};
-  const auto tables = settings.tables(key);
-  if (!tables) return forward_error(tables);
-  for (const Settings& table : *tables) {
-    SettingsValues values(table);
-    take(values);
-    if (!values.outcome()) return values.outcome();
-  }
-  return {};
-}
-
-/// The same with one table.
-template <typename Take>
-Result<void> one_table(const Settings& settings, const char* key, const Take& take) {
-  if (!settings.has(key)) return {};
-  const auto table = settings.table(key);
-  if (!table) return forward_error(table);
-  SettingsValues values(*table);
-  take(values);
-  return values.outcome();
-}
-
-Result<void> take_draft(const Settings& settings, RunDraft& into) {
-  if (!settings.has("draft")) return {};
-  const auto draft = settings.table("draft");
-  if (!draft) return forward_error(draft);
-  SettingsValues values(*draft);
+void take_draft(SettingsValues& values, RunDraft& into) {
   values.take("preset", into.preset);
-  if (!values.outcome() || !draft->has("changed")) return values.outcome();
-  const auto changed = draft->table("changed");
-  if (!changed) return forward_error(changed);
+  const Settings& draft = values.settings();
+  if (!values.outcome() || !draft.has("changed")) return;
+  const auto changed = draft.table("changed");
+  if (!changed) return values.say(forward_error(changed));
   for (const std::string& name : changed->keys()) {
     const auto value = changed->scalar_as_text(name);
-    if (!value) return forward_error(value);
+    if (!value) return values.say(forward_error(value));
     into.changed[name] = *value;
   }
-  return {};
 }
 
 Result<void> take_layers(const Settings& settings, MapLook& map) {
   std::vector<Layer> order;
   auto taken = each_table(settings, "layer", [&](SettingsValues& values) {
     Layer layer = Layer::kPicture;
-    values.take("name", layer);
+    if (!values.take("name", layer)) return;
     LayerLook& look = map.layer(layer);
     values.take("visible", look.is_visible);
     values.take("opacity", look.opacity);
@@ -126,7 +99,6 @@ std::string view_text(const SavedView& saved) {
             toml_line("loop_to_s", *playback.loop_to_s);
   }
   if (view.selected_particle) text += toml_line("selected_particle", *view.selected_particle);
-  if (!saved.writing.empty()) text += toml_line("writing", saved.writing);
   for (const RunLook& run : view.runs) {
     text += "\n[[run]]\n" + toml_line("path", std::string_view(run.path)) +
             toml_line("shown", run.is_shown) + toml_line("colour", run.colour);
@@ -159,7 +131,6 @@ Result<SavedView> parse_view_text(std::string_view text, const std::string& name
   values.take("loop_from_s", playback.loop_from_s);
   values.take("loop_to_s", playback.loop_to_s);
   values.take("selected_particle", view.selected_particle);
-  values.take("writing", saved.writing);
   const auto taken =
       Result<void>(values.outcome())
           .and_then([&] {
@@ -186,7 +157,10 @@ Result<SavedView> parse_view_text(std::string_view text, const std::string& name
               detail::take_appearance(appearance, view.appearance);
             });
           })
-          .and_then([&] { return take_draft(*settings, view.draft); });
+          .and_then([&] {
+            return one_table(*settings, "draft",
+                             [&](SettingsValues& draft) { take_draft(draft, view.draft); });
+          });
   if (!taken) return forward_error(taken);
   view = repaired(std::move(view));
   playback.time_s = std::max(0.0, playback.time_s);
@@ -201,10 +175,13 @@ Result<SavedView> parse_view_text(std::string_view text, const std::string& name
 }
 
 std::string preferences_text(const Preferences& preferences) {
-  std::string text =
-      "# Preferences of Nadir's window.\n" + toml_line("version", detail::kTextVersion) +
-      toml_line("memory_megabytes", preferences.memory_megabytes) +
-      toml_line("recents", preferences.recents) + detail::appearance_lines(preferences.appearance);
+  std::string text = "# Preferences of Nadir's window.\n" +
+                     toml_line("version", detail::kTextVersion) +
+                     toml_line("memory_megabytes", preferences.memory_megabytes) +
+                     toml_line("recents", preferences.recents) +
+                     toml_line("recent_commands", preferences.recent_commands) +
+                     toml_line("turned_sections", preferences.turned_sections) +
+                     detail::appearance_lines(preferences.appearance);
   for (const auto& [name, layout] : preferences.layouts) {
     text += "\n[[kept_layout]]\n" + toml_line("name", std::string_view(name));
     text += detail::layout_lines("kept_layout.layout", layout);
@@ -221,6 +198,8 @@ Result<Preferences> parse_preferences(std::string_view text, const std::string& 
   SettingsValues values(*settings);
   values.take("memory_megabytes", preferences.memory_megabytes);
   values.take("recents", preferences.recents);
+  values.take("recent_commands", preferences.recent_commands);
+  values.take("turned_sections", preferences.turned_sections);
   const auto taken =
       Result<void>(values.outcome())
           .and_then([&] {

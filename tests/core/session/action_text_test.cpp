@@ -8,7 +8,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace action_text_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -64,6 +64,7 @@ TEST(ActionText, HasEveryArgument) {
       {CancelJob{3}, "cancel 3"},
       {ExportFigure{"my figures/a.svg", std::nullopt}, "export \"my figures/a.svg\""},
       {ExportFigure{"a.png", "compare"}, "export a.png compare"},
+      {ExportFigure{"a.png", "compare", 2400}, "export a.png compare 2400"},
       {AddBookmark{}, "bookmark"},
       {AddBookmark{""}, "bookmark \"\""},
       {EditBookmark{2, "two\nlines"}, "bookmark-note 2 \"two\\nlines\""},
@@ -193,5 +194,5 @@ TEST(ActionHelps, HaveAsManyArgumentsInTheFormAsTheActionHas) {
   }
 }
 
-}  // namespace
+}  // namespace action_text_test
 }  // namespace nadir

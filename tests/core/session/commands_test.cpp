@@ -6,7 +6,7 @@
 #include "tests/core/session/session_fixture.h"
 
 namespace nadir {
-namespace {
+namespace commands_test {
 
 using testing::Contains;
 using testing::Not;
@@ -86,38 +86,130 @@ TEST(MatchingCommands, AreAllForNothingTypedInMenuOrder) {
   EXPECT_EQ(all.front(), &session_commands().front());
 }
 
-TEST(MatchingCommands, BeginWithTheBest) {
-  EXPECT_EQ(found_by("quit").front(), "quit");
-  EXPECT_EQ(found_by("Dark").front(), "theme dark");
-  EXPECT_EQ(found_by("next worst").front(), "go next-worst");
-  EXPECT_EQ(found_by("ctrl+z").front(), "undo");
-  EXPECT_EQ(found_by("zoom in").front(), "zoom 1.5");
-  EXPECT_EQ(found_by("rerun").front(), "rerun start");
-  EXPECT_EQ(found_by("fitpar").front(), "fit particles") << "letters in order";
-  EXPECT_THAT(found_by("lpart"), Contains("layer particles toggle"));
+/// What people type, and the command that they mean.
+struct Query {
+  const char* typed;
+  const char* first;
+};
+
+class MatchingQueries : public testing::TestWithParam<Query> {};
+
+TEST_P(MatchingQueries, FindWhatIsMeantFirst) {
+  const std::vector<std::string> found = found_by(GetParam().typed);
+  ASSERT_FALSE(found.empty()) << GetParam().typed;
+  EXPECT_EQ(found.front(), GetParam().first) << GetParam().typed;
 }
 
-TEST(MatchingCommands, LeaveOutWhatLacksALetter) {
+INSTANTIATE_TEST_SUITE_P(Table,
+                         MatchingQueries,
+                         testing::Values(Query{"quit", "quit"},
+                                         Query{"open", "open"},
+                                         Query{"demo", "open-demo"},
+                                         Query{"Dark", "theme dark"},
+                                         Query{"theme l", "theme light"},
+                                         Query{"light", "theme light"},
+                                         Query{"next worst", "go next-worst"},
+                                         Query{"worst", "go worst"},
+                                         Query{"ctrl+z", "undo"},
+                                         Query{"f5", "panel moment toggle"},
+                                         Query{"zoom in", "zoom 1.5"},
+                                         Query{"rerun", "rerun start"},
+                                         Query{"rerun here", "rerun cursor"},
+                                         Query{"rfh", "rerun cursor"},
+                                         Query{"fitpar", "fit particles"},
+                                         Query{"fp", "fit particles"},
+                                         Query{"lpart", "layer particles toggle"},
+                                         Query{"modes", "layer modes toggle"},
+                                         Query{"rmse", "strip position-error toggle"},
+                                         Query{"ess", "strip sample-size toggle"},
+                                         Query{"nees", "strip nees toggle"},
+                                         Query{"csv", "export-table"},
+                                         Query{"svg", "export"},
+                                         Query{"film", "export"},
+                                         Query{"table", "export-table"},
+                                         Query{"report", "report"},
+                                         Query{"mgrs", "show place"},
+                                         Query{"options", "preset run"},
+                                         Query{"bookmark", "bookmark"},
+                                         Query{"mark", "bookmark"},
+                                         Query{"measure dist", "tool measure"},
+                                         Query{"undo", "undo"},
+                                         Query{"prefs", "show preferences"},
+                                         Query{"exit", "quit"},
+                                         Query{"why", "panel why toggle"},
+                                         Query{"timeline", "panel timeline toggle"},
+                                         Query{"keys", "show shortcuts"},
+                                         Query{"speed 2", "speed 2"},
+                                         Query{"seek", "seek"},
+                                         Query{"?", "show shortcuts"}));
+
+TEST(MatchingCommands, AreNotFoundByLettersScatteredOverWords) {
+  EXPECT_THAT(found_by("rmse"), Not(Contains("layer modes toggle")));
   EXPECT_THAT(found_by("theme"), Not(Contains("quit")));
+  EXPECT_THAT(found_by("opm"), Not(Contains("panel timeline toggle"))) << "p, m of other words";
   EXPECT_TRUE(found_by("qqqq").empty());
+  EXPECT_TRUE(found_by("xtheme").empty());
+}
+
+TEST(MatchingCommands, HaveBeginningsOfWordsBeforeInitialsBeforeParts) {
+  const auto place = [](std::string_view typed, std::string_view text) {
+    const std::vector<std::string> found = found_by(typed);
+    return std::find(found.begin(), found.end(), text) - found.begin();
+  };
+  EXPECT_LT(place("par", "fit particles"), place("par", "export")) << "a part of nothing there";
+  EXPECT_LT(place("run", "run"), place("run", "rerun start")) << "a word before a part of one";
+  EXPECT_LT(place("st", "go start"), place("st", "go worst"));
+  EXPECT_LT(place("ti", "panel timeline toggle"), place("ti", "layer particles toggle"));
+}
+
+TEST(MatchingCommands, BeginWithThoseThatWereChosenLately) {
+  const std::vector<std::string> recent = {"layer modes toggle", "quit"};
+  const auto all = matching_commands("", recent);
+  ASSERT_EQ(all.size(), session_commands().size());
+  EXPECT_EQ(all[0]->text, "layer modes toggle");
+  EXPECT_EQ(all[1]->text, "quit");
+  EXPECT_EQ(all[2], &session_commands().front());
+  EXPECT_EQ(matching_commands("layer", recent).front()->text, "layer modes toggle");
+  EXPECT_EQ(matching_commands("undo", recent).front()->text, "undo") << "what fits better is first";
+  const std::vector<std::string> unknown = {"no such command"};
+  EXPECT_EQ(matching_commands("", unknown).front(), &session_commands().front());
+}
+
+TEST(MatchingCommands, OfEveryTitleAreLedByTheirOwn) {
+  for (const Command& command : session_commands()) {
+    const auto by_title = matching_commands(command.title),
+               by_text = matching_commands(command.text);
+    ASSERT_FALSE(by_title.empty()) << command.title;
+    EXPECT_EQ(by_title.front(), &command) << command.title;
+    ASSERT_FALSE(by_text.empty()) << command.text;
+    EXPECT_EQ(by_text.front()->text, command.text);
+  }
 }
 
 TEST(MatchingCommands, HaveAllLettersThatWereTypedInOrder) {
-  for (const std::string_view typed : {"e", "an", "tog", "run", "s1", "m w"}) {
+  for (const std::string_view typed : {"e", "an", "tog", "run", "s1", "m w", "opt", "par"}) {
     for (const Command* command : matching_commands(typed)) {
       const auto has_all = [typed](std::string_view text) {
-        std::size_t at = 0;
-        for (const char letter : typed) {
-          if (letter == ' ') continue;
-          while (at < text.size() && std::tolower(text[at]) != letter) ++at;
-          if (at++ >= text.size()) return false;
-        }
-        return true;
+        return std::all_of(typed.begin(), typed.end(), [text](char letter) {
+          return letter == ' ' || std::any_of(text.begin(), text.end(), [letter](char other) {
+                   return std::tolower(other) == letter;
+                 });
+        });
       };
-      EXPECT_TRUE(has_all(command->title) || has_all(command->text) || has_all(command->shortcut))
+      EXPECT_TRUE(has_all(command->title) || has_all(command->text) || has_all(command->shortcut) ||
+                  has_all(command->also))
           << typed << ": " << command->title;
     }
   }
+}
+
+TEST(MatchingCommands, TakeAnythingThatCanBeTyped) {
+  for (int code = 1; code < 256; ++code) {
+    const std::string one(1, static_cast<char>(code));
+    EXPECT_LE(matching_commands(one).size(), session_commands().size());
+    EXPECT_LE(matching_commands(one + one + " " + one).size(), session_commands().size());
+  }
+  EXPECT_TRUE(found_by(std::string(5000, 'l')).empty());
 }
 
 TEST_F(SessionTest, SaysWhyCommandsCannotBeDoneBeforeAnythingIsOpen) {
@@ -162,5 +254,5 @@ TEST_F(SessionTest, CannotDoWhatACommandIsRefusedFor) {
   }
 }
 
-}  // namespace
+}  // namespace commands_test
 }  // namespace nadir

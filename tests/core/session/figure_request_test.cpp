@@ -7,7 +7,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace figure_request_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -39,6 +39,13 @@ TEST(FigureRequest, IsARecipeOfWhatIsShown) {
   EXPECT_EQ(recipe->text("options.laid-at").value(), "estimate");
   EXPECT_THAT(text, Not(HasSubstr("label-opacity")));
   EXPECT_THAT(text, Not(HasSubstr("speed")));
+}
+
+TEST(FigureRequest, HasAWidthOnlyWhereOneIsAskedFor) {
+  FigureRequest request = moment_request();
+  EXPECT_THAT(figure_recipe_text(request), Not(HasSubstr("size")));
+  request.width_px = 2400;
+  EXPECT_THAT(figure_recipe_text(request), HasSubstr("size = \"2400\"\n"));
 }
 
 TEST(FigureRequest, LeavesOutTheLayersThatAreHidden) {
@@ -76,5 +83,5 @@ TEST(FigureRequest, KnowsHowManyRunsAFigureIsOf) {
   EXPECT_EQ(runs_of_figure("no such figure"), RunsOfFigure::kOne);
 }
 
-}  // namespace
+}  // namespace figure_request_test
 }  // namespace nadir

@@ -13,7 +13,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace ground_reconstruction_test {
 
 using ::testing::HasSubstr;
 
@@ -43,15 +43,15 @@ RunStep step_at(int number) {
 
 class GroundReconstructionTest : public ::testing::Test {
  protected:
-  static constexpr int kSteps = 12;
+  static constexpr int kSteps = 12, kLong = 650;
 
-  std::shared_ptr<const RunDocument> run() {
+  std::shared_ptr<const RunDocument> run(int steps = kSteps) {
     RunHeader header;
     header.program_version = "0";
     const auto path = folder_.path() / "drive.nadir";
     auto writer = RunWriter::create(path, header);
     EXPECT_TRUE(writer) << error_text(writer);
-    for (int i = 0; i < kSteps; ++i) {
+    for (int i = 0; i < steps; ++i) {
       const auto written = writer->write(step_at(i));
       EXPECT_TRUE(written) << error_text(written);
     }
@@ -97,6 +97,23 @@ TEST_F(GroundReconstructionTest, LaysEveryTopviewUpToAStepForwardsAndBack) {
   expect_same(answer_to({document, 99, PoseSource::kEstimate}), expected(kSteps, 0.0));
 }
 
+TEST_F(GroundReconstructionTest, NeverShowsMoreThanWasSeenUntilThen) {
+  const auto document = run();
+  expect_same(answer_to({document, 9, PoseSource::kEstimate}), expected(10, 0.0));
+  maker_.ask({document, 2, PoseSource::kEstimate});
+  const auto at_once = maker_.answer();
+  EXPECT_TRUE(at_once == nullptr || at_once->steps <= 3U) << at_once->steps;
+  expect_same(answer_to({document, 2, PoseSource::kEstimate}), expected(3, 0.0));
+}
+
+TEST_F(GroundReconstructionTest, GoesBackAndForthThroughALongRun) {
+  const auto document = run(kLong);
+  for (const std::size_t step : {649U, 10U, 430U, 401U, 648U, 199U, 200U, 0U, 649U}) {
+    const auto made = answer_to({document, step, PoseSource::kEstimate});
+    expect_same(made, expected(static_cast<int>(step) + 1, 0.0));
+  }
+}
+
 TEST_F(GroundReconstructionTest, LaysThemAtThePosesThatAreAskedFor) {
   const auto document = run();
   expect_same(answer_to({document, 5, PoseSource::kTruth}), expected(6, 10.0));
@@ -125,5 +142,5 @@ TEST_F(GroundReconstructionTest, IsNotAskedWithoutARun) {
   EXPECT_EQ(maker_.answer(), nullptr);
 }
 
-}  // namespace
+}  // namespace ground_reconstruction_test
 }  // namespace nadir

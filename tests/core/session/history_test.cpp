@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 namespace nadir {
-namespace {
+namespace history_test {
 
 TEST(History, GoesBackAndForth) {
   History<int> history;
@@ -60,6 +60,32 @@ TEST(History, LosesStepsThatLeadNowhereWhenItIsAmended) {
   EXPECT_EQ(history.redo(0), 1);
 }
 
+TEST(History, AmendsOnlyWhatCameSinceAChange) {
+  History<int> history;
+  history.commit(0, "one");   // 0 -> 1
+  history.commit(1, "open");  // 1 -> 11
+  const std::uint64_t opened = history.last_change();
+  history.commit(11, "two");  // 11 -> 12
+  EXPECT_EQ(history.undo(12), 11);
+  const auto to_hundreds = [](int& state) { state += 100; };
+  int now = 11;
+  to_hundreds(now);
+  history.amend(to_hundreds, now, opened);
+  EXPECT_EQ(history.redo(now), 112) << "the value after a later change";
+  EXPECT_EQ(history.undo(112), 111) << "and the one before it";
+  EXPECT_EQ(history.undo(111), 1) << "from before the opening";
+  EXPECT_EQ(history.undo(1), 0);
+}
+
+TEST(History, EndsADragWhenItIsAmended) {
+  History<int> history;
+  history.commit(0, "drag", "splitter");
+  history.amend([](int& state) { state += 10; }, 11);
+  history.commit(11, "drag", "splitter");
+  EXPECT_EQ(history.undo(12), 11) << "what comes after is a step of its own";
+  EXPECT_EQ(history.undo(11), 10);
+}
+
 TEST(History, AmendsWhatWasUndoneToo) {
   History<int> history;
   history.commit(0, "one");
@@ -70,5 +96,5 @@ TEST(History, AmendsWhatWasUndoneToo) {
   EXPECT_EQ(history.undo(1), 0);
 }
 
-}  // namespace
+}  // namespace history_test
 }  // namespace nadir

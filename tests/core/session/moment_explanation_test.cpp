@@ -12,7 +12,7 @@
 #include "tests/support/scenery.h"
 
 namespace nadir {
-namespace {
+namespace moment_explanation_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -199,12 +199,21 @@ TEST(ExplainMoment, TellsWhetherTheFilterKnewHowWrongItWas) {
   auto moment = explain_moment(step, matcher).value();
   EXPECT_NEAR(*moment.nees, 9.0 + 4.0, 1e-9);  // (3 m / 1 m)^2 + (0.2 rad / 0.1 rad)^2
   EXPECT_EQ(moment.is_truth_inside_95, false);
-  EXPECT_THAT(in_words(moment), HasSubstr(" The filter was too sure: the truth lies outside its "
-                                          "95 % ellipse (NEES 13, where 3 is usual)."));
-  step.estimate.moments.covariance(0, 0) = 2.0;  // 9 / 2 is inside 5.99
+  EXPECT_THAT(in_words(moment),
+              HasSubstr(" The NEES of this step, 13.0, is above the 95 % chi-square bounds 0.22 to "
+                        "9.35 (3 degrees of freedom); one step is no test of consistency, only "
+                        "many are."));
+  step.estimate.moments.covariance(0, 0) = 2.0;  // 9 / 2 is inside 5.99, and 4.5 + 4 below 9.35
   moment = explain_moment(step, matcher).value();
   EXPECT_EQ(moment.is_truth_inside_95, true);
-  EXPECT_THAT(in_words(moment), Not(HasSubstr("too sure")));
+  EXPECT_THAT(in_words(moment), Not(HasSubstr("NEES")));
+  // A heading without spread has no NEES, but the position has its ellipse.
+  step.estimate.moments.covariance = Eigen::Vector3d(1.0, 4.0, 0.0).asDiagonal();
+  moment = explain_moment(step, matcher).value();
+  EXPECT_FALSE(moment.nees);
+  EXPECT_THAT(in_words(moment),
+              HasSubstr(" The truth lies outside the 95 % position ellipse of this step "
+                        "(chi-square, 2 degrees of freedom); one step is no test"));
   step.estimate.moments.covariance.setConstant(std::nan(""));
   moment = explain_moment(step, matcher).value();
   EXPECT_FALSE(moment.nees || moment.is_truth_inside_95);
@@ -258,5 +267,5 @@ TEST(ExplainMoment, RefusesStepsThatCannotBeLaidOnTheMap) {
   EXPECT_EQ(error_text(explain_moment(step, matcher)), "step 7: its topview was not recorded");
 }
 
-}  // namespace
+}  // namespace moment_explanation_test
 }  // namespace nadir

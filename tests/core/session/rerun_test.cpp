@@ -4,7 +4,7 @@
 #include "tests/core/session/session_fixture.h"
 
 namespace nadir {
-namespace {
+namespace rerun_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -51,7 +51,7 @@ TEST_F(RerunTest, GoesOnFromAMomentWithTheStepsBeforeIt) {
     EXPECT_EQ(steps[i].time_s, parent[i].time_s);
   }
   EXPECT_TRUE(reader.step(steps[3].step)->particles) << "with its particles";
-  EXPECT_EQ(reader.header().parent_run, "loop.nadir");
+  EXPECT_EQ(reader.header().parent_run, world_.run.string()) << "which lies in another folder";
   EXPECT_DOUBLE_EQ(reader.header().started_at_s.value(), parent[8].time_s);
 }
 
@@ -70,6 +70,36 @@ TEST_F(RerunTest, KeepsWhatItHasWhenItIsStopped) {
   EXPECT_FALSE(reader.is_complete());
 }
 
+/// A flight whose frames cannot be read from one of them on.
+class BrokenFlight : public FlightRecording {
+ public:
+  BrokenFlight(std::shared_ptr<const FlightRecording> whole, std::size_t first_broken)
+      : FlightRecording(whole->description()),
+        whole_(std::move(whole)),
+        first_broken_(first_broken) {}
+  [[nodiscard]] Result<SemanticFrame> load(std::size_t index) const override {
+    if (index < first_broken_) return whole_->load(index);
+    return fail(ErrorCode::kMalformed, "frame {}: is torn", index);
+  }
+
+ private:
+  std::shared_ptr<const FlightRecording> whole_;
+  std::size_t first_broken_;
+};
+
+TEST_F(RerunTest, KeepsItsStepsWhereItFailsLater) {
+  RerunTask task = world_.task(file_);
+  task.flight = std::make_shared<BrokenFlight>(world_.recording, 7);
+  const auto outcome = rerun(task, {}, [](RerunProgress) {});
+  ASSERT_TRUE(outcome) << error_text(outcome);
+  EXPECT_EQ(outcome->steps, 7);
+  EXPECT_FALSE(outcome->was_stopped);
+  EXPECT_EQ(outcome->fault, "frame 7: is torn");
+  const auto reader = RunReader::open(file_).value();
+  EXPECT_EQ(reader.step_count(), 7);
+  EXPECT_FALSE(reader.is_complete());
+}
+
 TEST_F(RerunTest, LeavesNoFileWhereItFailsOrIsStoppedAtOnce) {
   std::stop_source source;
   source.request_stop();
@@ -83,11 +113,19 @@ TEST_F(RerunTest, LeavesNoFileWhereItFailsOrIsStoppedAtOnce) {
   task = world_.task(file_);
   task.parent = scratch_.path() / "none.nadir";
   EXPECT_THAT(error_text(rerun(task, {}, [](RerunProgress) {})), HasSubstr("none.nadir"));
+  task = world_.task(file_);
+  task.flight = std::make_shared<BrokenFlight>(world_.recording, 0);
+  EXPECT_THAT(error_text(rerun(task, {}, [](RerunProgress) {})), HasSubstr("frame 0: is torn"));
+  task = world_.task(file_);
+  task.options.topview.min_votes = 1000;
+  EXPECT_THAT(error_text(rerun(task, {}, [](RerunProgress) {})),
+              HasSubstr("nothing was localised"));
+  task = world_.task(file_);
   task.parent = world_.run;
   task.from_s = 1e6;
   EXPECT_FALSE(rerun(task, {}, [](RerunProgress) {}));
   EXPECT_EQ(scratch_.entries(), 0);
 }
 
-}  // namespace
+}  // namespace rerun_test
 }  // namespace nadir

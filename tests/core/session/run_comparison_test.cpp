@@ -12,7 +12,7 @@
 #include "tests/core/session/made_run.h"
 
 namespace nadir {
-namespace {
+namespace run_comparison_test {
 
 using ::testing::ElementsAre;
 using ::testing::Eq;
@@ -208,6 +208,13 @@ TEST(Divergence, IsTheFirstMomentFromWhichRunsStayApart) {
   EXPECT_EQ(compare_runs(runs).divergence[1]->first_index, 200U);
 }
 
+TEST(Divergence, SaysItsRuleInWords) {
+  EXPECT_EQ(divergence_words(),
+            "more than 2 m apart, or more than 0.5 m and 3 sigma, for at least 1 s");
+  EXPECT_EQ(divergence_words({.apart_m = 1.25, .apart_sigmas = 2.0}),
+            "more than 1.25 m apart, or more than 0.5 m and 2 sigma, for at least 1 s");
+}
+
 TEST(Divergence, NeedsMoreThanACollapsedFiltersMillimetres) {
   const auto collapsed = [](double offset_m) {
     return made_document(100, [=](RunStep& step) {
@@ -266,5 +273,5 @@ TEST(DistanceBetween, IsNotKnownInsideAGap) {
   EXPECT_EQ(distance[200], 0.0);
 }
 
-}  // namespace
+}  // namespace run_comparison_test
 }  // namespace nadir

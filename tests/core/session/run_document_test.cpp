@@ -14,7 +14,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace nadir {
-namespace {
+namespace run_document_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -125,6 +125,39 @@ TEST_F(RunFileDocument, FindsTheLatestStepAtATime) {
   const auto empty = made_document(0);
   EXPECT_EQ(empty->index_at(0.0), std::nullopt);
   EXPECT_EQ(empty->duration_s(), 0.0);
+}
+
+TEST_F(RunFileDocument, KnowsTheGroundAroundItsPathsFromEverySide) {
+  const auto run = made_document(40, [](RunStep& step) {
+    const double t = 0.3 * step.step;
+    step.estimate.moments.mean = {10.0 * std::cos(t), 4.0 * std::sin(3.0 * t), t};
+    step.truth_in_enu = Rigid2{9.0 * std::cos(t) + 0.1 * t, 5.0 * std::sin(2.0 * t), t};
+    step.odometry_in_enu.reset();
+    if (step.step == 7) step.estimate.moments.mean.x_m = std::nan("");
+    if (step.step == 9) step.odometry_in_enu = Rigid2{1e6, 0.0, 0.0};
+  });
+  EXPECT_TRUE(run->has_odometry);
+  EXPECT_LT(run->outline_in_enu_m.size(), 40U);
+  for (double angle = 0.0; angle < 6.3; angle += 0.1) {
+    const Eigen::Vector2d side(std::cos(angle), std::sin(angle));
+    double farthest = -1e9, outlined = -1e9;
+    for (const RunStep& step : run->steps) {
+      const Eigen::Vector2d estimate = step.estimate.moments.mean.translation_m();
+      if (estimate.allFinite()) farthest = std::max(farthest, estimate.dot(side));
+      farthest = std::max(farthest, step.truth_in_enu->translation_m().dot(side));
+    }
+    for (const Eigen::Vector2d& corner : run->outline_in_enu_m) {
+      outlined = std::max(outlined, corner.dot(side));
+    }
+    EXPECT_EQ(outlined, farthest) << angle;
+  }
+  EXPECT_THAT(made_document(0)->outline_in_enu_m, IsEmpty());
+  EXPECT_FALSE(made_document(0)->has_odometry);
+  const auto standing = made_document(5, [](RunStep& step) {
+    step.estimate.moments.mean = {1.0, 2.0, 0.0};
+    step.truth_in_enu.reset();
+  });
+  EXPECT_THAT(standing->outline_in_enu_m, ElementsAre(Eigen::Vector2d(1.0, 2.0)));
 }
 
 TEST_F(RunFileDocument, SharesACursorWithARunThatBeganLater) {
@@ -265,5 +298,5 @@ TEST_F(RunFileDocument, KeepsTheNameItIsGiven) {
   EXPECT_EQ(RunDocument::from_steps(made)->name, "live");
 }
 
-}  // namespace
+}  // namespace run_document_test
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include "tests/core/session/session_fixture.h"
 
 namespace nadir {
-namespace {
+namespace session_export_test {
 
 namespace fs = std::filesystem;
 using testing::Contains;
@@ -69,6 +69,16 @@ TEST_F(SessionExportTest, AsksForTheRunsThatAFigureIsOf) {
       << "the active one first, then those that are shown";
   act("export " + in("l.pdf") + " labels");
   EXPECT_FALSE(Settings::parse(only_effect<DrawFigureEffect>().recipe, "r")->has("runs"));
+}
+
+TEST_F(SessionExportTest, AsksForAWidthWithinItsRange) {
+  open_run();
+  act("export " + in("m.png") + " moment 2400");
+  EXPECT_EQ(
+      Settings::parse(only_effect<DrawFigureEffect>().recipe, "r")->text("options.size").value(),
+      "2400");
+  EXPECT_THAT(refused("export " + in("m.png") + " moment 10"),
+              HasSubstr("a width of 10 pixels is not in [200, 16000]"));
 }
 
 TEST_F(SessionExportTest, AsksForAFilmOfTheLoop) {
@@ -148,6 +158,17 @@ TEST_F(SessionExportTest, WritesEveryStepAsATable) {
   EXPECT_THAT(notice_texts(), ElementsAre(in("run.csv") + " was written"));
 }
 
+TEST_F(SessionExportTest, WritesNoTableThatWasStoppedInTime) {
+  open_run();
+  act("export-table " + in("run.csv"));
+  act("cancel");
+  settle();
+  const bool was_written = fs::exists(in("run.csv"));  // it may have been done already
+  EXPECT_THAT(notice_texts(), was_written ? testing::Matcher<std::vector<std::string>>(testing::_)
+                                          : testing::Matcher<std::vector<std::string>>(
+                                                ElementsAre("writing run.csv was stopped")));
+}
+
 TEST_F(SessionExportTest, AsksForAReportOfTheRunsThatAreShown) {
   open_run();
   const fs::path second = copy_run("second.nadir");
@@ -199,5 +220,5 @@ TEST_F(SessionExportTest, RefusesToPasteWhatIsNoViewOrNotHere) {
   EXPECT_EQ(session_->view(), default_view_state());
 }
 
-}  // namespace
+}  // namespace session_export_test
 }  // namespace nadir

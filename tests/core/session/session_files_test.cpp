@@ -6,7 +6,7 @@
 #include "tests/core/session/session_fixture.h"
 
 namespace nadir {
-namespace {
+namespace session_files_test {
 
 namespace fs = std::filesystem;
 using testing::Contains;
@@ -305,6 +305,208 @@ TEST_F(SessionFilesTest, MakesTheDemoOnceAndOpensIt) {
   EXPECT_THAT(run_names(), ElementsAre("run"));
 }
 
+TEST_F(SessionFilesTest, MakesADemoAgainThatIsNotWhole) {
+  const fs::path made = scratch_.path() / "data" / "demo" / "run.nadir";
+  fs::create_directories(made.parent_path());
+  record_run(made, 5, 0, false);
+  act("open-demo");
+  ASSERT_THAT(session_->take_effects(), SizeIs(1));
+  EXPECT_THAT(session_->runs(), IsEmpty());
+  EXPECT_EQ(refused("open-demo"), "the demo is being made already");
+}
+
+TEST_F(SessionFilesTest, ReadsARunAgainThatIsOpenedAgainAfterItWasReplaced) {
+  const fs::path path = scratch_.path() / "again.nadir";
+  record_run(path, 10);
+  act(open(path));
+  settle();
+  EXPECT_EQ(document().steps.size(), 10U);
+  const auto before = session_->active_run()->document;
+  act(open(path));
+  settle();
+  EXPECT_EQ(session_->active_run()->document, before) << "it is the same";
+  record_run(path, 25);
+  act(open(path));
+  settle();
+  EXPECT_THAT(session_->runs(), SizeIs(1));
+  EXPECT_EQ(document().steps.size(), 25U);
+}
+
+TEST_F(SessionFilesTest, ShowsTheNewStepsOfARunThatAnotherProgramWrites) {
+  const fs::path path = scratch_.path() / "growing.nadir";
+  auto writer = RunWriter::create(path, example_header()).value();
+  for (int i = 0; i < 5; ++i) ASSERT_TRUE(writer.write(example_step(i)));
+  act(open(path));
+  settle();
+  EXPECT_EQ(document().steps.size(), 5U);
+  for (int i = 5; i < 9; ++i) ASSERT_TRUE(writer.write(example_step(i)));
+  session_->poll(1.5);
+  settle();
+  EXPECT_EQ(document().steps.size(), 9U);
+  EXPECT_FALSE(document().is_complete);
+  ASSERT_TRUE(writer.finish());
+  session_->poll(1.5);
+  settle();
+  EXPECT_TRUE(document().is_complete);
+}
+
+TEST_F(SessionFilesTest, LeavesTheMapThatWasOpenedToARunThatComesBack) {
+  const fs::path other = scratch_.path() / "other";
+  fs::copy(SmallWorld::get().map, other, fs::copy_options::recursive);
+  open_run();
+  act(open(other));
+  act("look 20 28 33");
+  settle();
+  start();
+  session_->restore();
+  settle();
+  ASSERT_NE(session_->map(), nullptr);
+  EXPECT_EQ(session_->map()->path, other);
+  EXPECT_EQ(session_->view().map.width_m, 33.0);
+  act("close-run 1");
+  act("undo");
+  settle();
+  EXPECT_EQ(session_->map()->path, other) << "undone as well";
+}
+
+TEST_F(SessionFilesTest, LeavesTheMapThatIsOpenedWhileARunIsBeingRead) {
+  const fs::path other = scratch_.path() / "other";
+  fs::copy(SmallWorld::get().map, other, fs::copy_options::recursive);
+  act(open(run_));
+  act(open(other));
+  settle();
+  EXPECT_EQ(session_->map()->path, other);
+}
+
+TEST_F(SessionFilesTest, DoesNotChangeWhatWasBeforeARunWasOpened) {
+  const fs::path other = scratch_.path() / "other";
+  fs::copy(SmallWorld::get().map, other, fs::copy_options::recursive);
+  open_run();
+  act(open(other));
+  settle();
+  act("close-run 1");
+  act(open(other));
+  settle();
+  act(open(run_));
+  act("theme light");
+  settle();
+  EXPECT_EQ(session_->map()->path, SmallWorld::get().map) << "the run's own";
+  act("undo");
+  EXPECT_EQ(session_->view().map_path, SmallWorld::get().map.string()) << "since its opening";
+  act("undo");
+  EXPECT_EQ(session_->view().map_path, other.string());
+  while (session_->undo_title() && !session_->undo_title()->starts_with("Close")) act("undo");
+  act("undo");
+  EXPECT_THAT(session_->runs(), SizeIs(1));
+  EXPECT_EQ(session_->view().map_path, other.string()) << "as somebody had it then";
+}
+
+TEST_F(SessionFilesTest, ShowsTheRunsMapAndTheCropOfARecipe) {
+  const fs::path other = scratch_.path() / "other";
+  fs::copy(SmallWorld::get().map, other, fs::copy_options::recursive);
+  act(open(other));
+  act(open(scratch_.file("moment.toml",
+                         "figure = \"moment\"\nruns = [\"loop.nadir\"]\n[options]\ntime = 2.5\n"
+                         "crop = \"40@12.5,-3\"\n")));
+  settle();
+  EXPECT_EQ(session_->map()->path, SmallWorld::get().map);
+  EXPECT_EQ(session_->view().map.width_m, 40.0);
+}
+
+TEST_F(SessionFilesTest, NeverShowsOneRunsCameraUnderAnothersName) {
+  act(open(lonely_run()));
+  settle();
+  act(open(SmallWorld::get().flight));
+  settle();
+  EXPECT_EQ(session_->flight(), nullptr) << "of another flight than the run";
+  ASSERT_NE(session_->opened_flight(), nullptr);
+  EXPECT_EQ(refused("rerun start"), "lonely: its flight is not there, so it cannot be run again");
+}
+
+TEST_F(SessionFilesTest, FindsTheFlightOfARunWhereItIsOpened) {
+  const fs::path moved = scratch_.path() / "far" / "away";
+  fs::create_directories(moved.parent_path());
+  fs::copy(SmallWorld::get().flight, moved, fs::copy_options::recursive);
+  RunHeader header;
+  {
+    auto reader = RunReader::open(run_).value();
+    header = reader.header();
+    header.flight_path = "/somewhere/else/day";
+    auto writer = RunWriter::create(scratch_.path() / "moved.nadir", header).value();
+    const auto steps = reader.steps().value();
+    for (const RunStep& step : steps) ASSERT_TRUE(writer.write(step));
+    ASSERT_TRUE(writer.finish());
+  }
+  act(open(scratch_.path() / "moved.nadir"));
+  settle();
+  EXPECT_EQ(session_->flight(), nullptr);
+  act(open(moved));
+  settle();
+  ASSERT_NE(session_->flight(), nullptr) << "it is the very same";
+  EXPECT_EQ(session_->flight()->description().path, moved);
+}
+
+TEST_F(SessionFilesTest, TriesAFlightAgainThatIsOpenedAgain) {
+  const fs::path flight = scratch_.path() / "flight";
+  fs::copy(SmallWorld::get().flight, flight, fs::copy_options::recursive);
+  RerunTask task = SmallWorld::get().task(scratch_.path() / "made.nadir");
+  task.flight = open_flight(flight).value();
+  ASSERT_TRUE(rerun(task, {}, [](RerunProgress) {}));
+  const std::string good = read_text_file(flight / "flight.toml").value();
+  std::ofstream(flight / "flight.toml") << "name = \n";
+  act(open(task.run));
+  settle();
+  EXPECT_EQ(session_->flight(), nullptr);
+  std::ofstream(flight / "flight.toml") << good;
+  act(open(task.run));
+  settle();
+  EXPECT_NE(session_->flight(), nullptr);
+}
+
+TEST_F(SessionFilesTest, OffersTheMapsBesideAFlightThatIsOpenedByItself) {
+  const fs::path flight = scratch_.path() / "day" / "flight";
+  fs::create_directories(flight.parent_path());
+  fs::copy(SmallWorld::get().flight, flight, fs::copy_options::recursive);
+  const fs::path beside = flight.parent_path() / "town";
+  fs::copy(SmallWorld::get().map, beside, fs::copy_options::recursive);
+  act(open(flight));
+  settle();
+  ASSERT_NE(session_->flight(), nullptr);
+  EXPECT_EQ(session_->map(), nullptr);
+  ASSERT_THAT(session_->maps_for_flight(), SizeIs(2));
+  EXPECT_EQ(session_->maps_for_flight()[0], beside.string());
+  EXPECT_EQ(session_->maps_for_flight()[1], SmallWorld::get().map.string())
+      << "the one that came with the program";
+  EXPECT_THAT(notice_texts(), IsEmpty());
+}
+
+TEST_F(SessionFilesTest, OffersToLocaliseOnceFlightAndMapAreThere) {
+  act(open(SmallWorld::get().flight));
+  settle();
+  act(open(SmallWorld::get().map));
+  settle();
+  ASSERT_THAT(session_->notices(), SizeIs(1));
+  EXPECT_THAT(session_->notices()[0].text, HasSubstr("can be localised on street now"));
+  EXPECT_EQ(session_->notices()[0].remedy_title, "Localise now");
+  ASSERT_TRUE(session_->notices()[0].remedy);
+  EXPECT_EQ(action_text(*session_->notices()[0].remedy), "rerun flight");
+  EXPECT_EQ(session_->view().layout.right_tab, Panel::kSettings) << "where its settings are";
+  EXPECT_EQ(session_->undo_title(), "Open street") << "an offer is no change";
+  act("dismiss");
+  settle();
+  EXPECT_THAT(session_->notices(), IsEmpty()) << "it is not made again";
+}
+
+TEST_F(SessionFilesTest, TakesTheOfferToLocaliseBackWhenARunIsOpen) {
+  act(open(SmallWorld::get().flight));
+  act(open(SmallWorld::get().map));
+  settle();
+  ASSERT_THAT(session_->notices(), SizeIs(1));
+  act(open(run_));
+  settle();
+  EXPECT_THAT(session_->notices(), IsEmpty());
+}
+
 TEST_F(SessionFilesTest, ReadsTheBundledMapOfTheProvingGround) {
   act("open \"" NADIR_PROVING_GROUND "\"");
   settle();
@@ -315,5 +517,5 @@ TEST_F(SessionFilesTest, ReadsTheBundledMapOfTheProvingGround) {
   EXPECT_GT(session_->view().map.width_m, 100.0);
 }
 
-}  // namespace
+}  // namespace session_files_test
 }  // namespace nadir

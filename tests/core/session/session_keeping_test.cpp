@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fstream>
 
+#include "core/base/log.h"
 #include "core/base/staged_output.h"
 #include "tests/core/session/session_fixture.h"
 
 namespace nadir {
-namespace {
+namespace session_keeping_test {
 
 namespace fs = std::filesystem;
 using testing::Contains;
@@ -28,6 +29,12 @@ class SessionKeepingTest : public SessionTest {
     settle();
   }
 };
+
+TEST_F(SessionKeepingTest, KeepsWhichSectionsWereFolded) {
+  session_->keep_turned_sections({"Right/Why/Heading", "Right/Why/Modes"});
+  restart();
+  EXPECT_THAT(session_->turned_sections(), ElementsAre("Right/Why/Heading", "Right/Why/Modes"));
+}
 
 TEST_F(SessionKeepingTest, FindsEverythingAsItWasLeft) {
   open_run();
@@ -114,10 +121,10 @@ TEST_F(SessionKeepingTest, SetsADamagedSessionAsideWithOneNotice) {
   act("theme light");
   start();
   session_.reset();
-  std::ofstream(session_file()) << "version = 1\n[map_view]\nup = \"down\"\n";
+  std::ofstream(session_file()) << "version = 1\n[map_view]\nup = 3\n";
   session_ = std::make_unique<Session>(places());
   session_->restore();
-  EXPECT_THAT(notice_texts(), ElementsAre(HasSubstr("up is none that this version knows")));
+  EXPECT_THAT(notice_texts(), ElementsAre(HasSubstr("up is not a text in quotes")));
   EXPECT_THAT(session_->notices()[0].text, HasSubstr("session.toml.damaged"));
   EXPECT_TRUE(fs::exists(session_file().string() + ".damaged"));
   EXPECT_EQ(session_->view().map, default_map_look());
@@ -130,6 +137,7 @@ TEST_F(SessionKeepingTest, SetsADamagedSessionAsideWithOneNotice) {
 
 TEST_F(SessionKeepingTest, SetsDamagedPreferencesAside) {
   session_.reset();
+  fs::create_directories(preferences_file().parent_path());
   std::ofstream(preferences_file()) << "\x01\x02";
   session_ = std::make_unique<Session>(places());
   EXPECT_THAT(session_->notices(), SizeIs(1));
@@ -137,12 +145,88 @@ TEST_F(SessionKeepingTest, SetsDamagedPreferencesAside) {
   EXPECT_EQ(session_->view(), default_view_state());
 }
 
-TEST_F(SessionKeepingTest, RefusesTheSessionOfANewerVersion) {
+TEST_F(SessionKeepingTest, NeverLosesAnEarlierDamagedFile) {
   session_.reset();
+  fs::create_directories(preferences_file().parent_path());
+  for (const char* text : {"first = ", "second = ", "third = "}) {
+    std::ofstream(preferences_file()) << text;
+    session_ = std::make_unique<Session>(places());
+    session_.reset();
+  }
+  const std::string file = preferences_file().string();
+  EXPECT_EQ(read_text_file(file + ".damaged").value(), "first = ");
+  EXPECT_EQ(read_text_file(file + ".damaged-2").value(), "second = ");
+  EXPECT_EQ(read_text_file(file + ".damaged-3").value(), "third = ");
+}
+
+TEST_F(SessionKeepingTest, LeavesWhatANewerVersionWroteAsItIs) {
+  session_.reset();
+  fs::create_directories(session_file().parent_path());
   std::ofstream(session_file()) << "version = 99\n";
+  std::ofstream(preferences_file()) << "version = 98\n";
   session_ = std::make_unique<Session>(places());
   session_->restore();
-  EXPECT_THAT(notice_texts(), ElementsAre(HasSubstr("newer version of Nadir")));
+  EXPECT_THAT(notice_texts(),
+              testing::Each(HasSubstr("newer version of Nadir; it stays as it is")));
+  EXPECT_THAT(session_->notices(), SizeIs(2));
+  act("theme light");
+  session_->poll(1.5);
+  act("save");
+  settle();
+  EXPECT_EQ(session_->saving_fault(), "");
+  session_.reset();
+  EXPECT_EQ(read_text_file(session_file()).value(), "version = 99\n");
+  EXPECT_EQ(read_text_file(preferences_file()).value(), "version = 98\n");
+  EXPECT_FALSE(fs::exists(session_file().string() + ".damaged"));
+}
+
+TEST_F(SessionKeepingTest, LeavesTheLastSessionWhereNothingWasDone) {
+  open_run();
+  session_.reset();
+  const std::string before = read_text_file(session_file()).value();
+  session_ = std::make_unique<Session>(places());  // as with --fresh
+  session_->poll(1.5);
+  settle();
+  session_.reset();
+  EXPECT_EQ(read_text_file(session_file()).value(), before);
+}
+
+TEST_F(SessionKeepingTest, KeepsWhatTwoWindowsHaveChanged) {
+  Session other(places());
+  act("theme light");
+  act("save-layout mine");
+  session_->remember_command("speed 2");
+  open_run();
+  session_.reset();
+  ASSERT_TRUE(other.apply(actions::SetMemory{77}));
+  ASSERT_TRUE(other.apply(actions::SaveLayout{"theirs"}));
+  other.remember_command("speed 5");
+  ASSERT_TRUE(other.apply(actions::OpenFile{SmallWorld::get().map.string()}));
+  poll_until(other, [&] { return other.map() && other.map()->index; });
+  ASSERT_TRUE(other.apply(actions::SaveNow{}));
+  poll_until(other, [&] {
+    const auto text = read_text_file(preferences_file());
+    return text && text->find("theirs") != std::string::npos;
+  });
+  session_ = std::make_unique<Session>(places());
+  EXPECT_EQ(session_->view().appearance.theme, LightOrDark::kLight);
+  EXPECT_EQ(session_->memory_budget_megabytes(), 77);
+  EXPECT_THAT(session_->layout_names(), ElementsAre("default", "mine", "theirs"));
+  EXPECT_THAT(session_->recent_commands(), ElementsAre("speed 5", "speed 2"));
+  EXPECT_THAT(session_->recents(), Contains(run_.string()));
+}
+
+TEST_F(SessionKeepingTest, SaysInTheLogThatTheEndWasNotKept) {
+  SessionPlaces nowhere = places();
+  nowhere.config = scratch_.file("a-file", "x") / "config";
+  session_ = std::make_unique<Session>(nowhere);
+  act("theme light");
+  std::vector<std::string> said;
+  const LogSink before =
+      set_log_sink([&said](LogLevel /*level*/, const std::string& line) { said.push_back(line); });
+  session_.reset();
+  set_log_sink(before);
+  EXPECT_THAT(said, ElementsAre(HasSubstr("what was open is not kept for the next start: ")));
 }
 
 TEST_F(SessionKeepingTest, LeavesOutWhatIsNotThereAnyMore) {
@@ -156,6 +240,66 @@ TEST_F(SessionKeepingTest, LeavesOutWhatIsNotThereAnyMore) {
   EXPECT_THAT(notice_texts(), ElementsAre(second.string() + ": is not there any more"));
   ASSERT_THAT(session_->runs(), SizeIs(1));
   EXPECT_EQ(session_->view().active_run, 1);
+}
+
+TEST_F(SessionKeepingTest, SaysThatItCouldNotBeWrittenUntilTryingAgainWorks) {
+  SessionPlaces blocked = places();
+  const fs::path file = scratch_.file("a-file", "x");
+  blocked.config = file / "config";
+  session_ = std::make_unique<Session>(blocked);
+  EXPECT_EQ(session_->saving_fault(), "");
+  act("theme light");
+  session_->poll(1.5);
+  poll_until(*session_, [&] { return !session_->saving_fault().empty(); });
+  EXPECT_THAT(session_->saving_fault(), HasSubstr("a-file"));
+  ASSERT_THAT(session_->notices(), SizeIs(1));
+  EXPECT_EQ(session_->notices()[0].remedy_title, "Try again");
+  ASSERT_TRUE(session_->notices()[0].remedy);
+  ASSERT_TRUE(session_->apply(*session_->notices()[0].remedy));
+  settle();
+  EXPECT_NE(session_->saving_fault(), "") << "nothing is better yet";
+  fs::remove(file);
+  act("save");
+  poll_until(*session_, [&] { return session_->saving_fault().empty(); });
+  EXPECT_TRUE(fs::exists(file / "config" / "session.toml"));
+  EXPECT_TRUE(fs::exists(file / "config" / "preferences.toml"));
+  EXPECT_THAT(session_->notices(), IsEmpty()) << "it is remedied";
+}
+
+TEST_F(SessionKeepingTest, TriesAgainByItselfThoughNothingHasChanged) {
+  SessionPlaces blocked = places();
+  const fs::path file = scratch_.file("a-file", "x");
+  blocked.config = file / "config";
+  session_ = std::make_unique<Session>(blocked);
+  act("theme light");
+  session_->poll(1.5);
+  poll_until(*session_, [&] { return !session_->saving_fault().empty(); });
+  fs::remove(file);
+  session_->poll(11.0);
+  poll_until(*session_, [&] { return session_->saving_fault().empty(); });
+  EXPECT_TRUE(fs::exists(file / "config" / "session.toml"));
+}
+
+TEST_F(SessionKeepingTest, WritesAtOnceWhenItIsAsked) {
+  act("theme light");
+  act("save");
+  session_->poll(0.0);
+  poll_until(*session_, [&] { return fs::exists(session_file()); });
+  SessionPlaces nowhere = places();
+  nowhere.config.clear();
+  session_ = std::make_unique<Session>(nowhere);
+  EXPECT_THAT(refused("save"), HasSubstr("there is no folder"));
+}
+
+TEST_F(SessionKeepingTest, KeepsTheCommandsThatWereChosenLately) {
+  for (int i = 0; i < 12; ++i) session_->remember_command("speed " + std::to_string(i));
+  session_->remember_command("speed 7");
+  ASSERT_THAT(session_->recent_commands(), SizeIs(8));
+  EXPECT_EQ(session_->recent_commands()[0], "speed 7");
+  EXPECT_EQ(session_->recent_commands()[1], "speed 11") << "each once";
+  start();
+  ASSERT_THAT(session_->recent_commands(), SizeIs(8));
+  EXPECT_EQ(session_->recent_commands()[0], "speed 7");
 }
 
 TEST_F(SessionKeepingTest, WorksWithoutAFolderAndSaysSoOnceWhereItCannotBeWritten) {
@@ -176,5 +320,5 @@ TEST_F(SessionKeepingTest, WorksWithoutAFolderAndSaysSoOnceWhereItCannotBeWritte
   EXPECT_THAT(session_->notices(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace session_keeping_test
 }  // namespace nadir

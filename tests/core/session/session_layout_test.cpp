@@ -2,7 +2,7 @@
 #include "tests/core/session/session_fixture.h"
 
 namespace nadir {
-namespace {
+namespace session_layout_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -28,6 +28,43 @@ TEST_F(SessionLayoutTest, BringsAPanelForwardBeforeItsKeyHidesIt) {
   act("panel why");
   EXPECT_TRUE(layout().shows(Panel::kWhy));
   EXPECT_EQ(layout().right_tab, Panel::kWhy);
+}
+
+TEST_F(SessionLayoutTest, LooksAtAnotherTabWithoutAStepOfUndo) {
+  act("theme light");
+  act("panel why on");
+  act("panel runs on");
+  EXPECT_EQ(layout().right_tab, Panel::kWhy);
+  EXPECT_EQ(session_->undo_title(), "Light theme");
+  act("undo");
+  EXPECT_EQ(session_->view().appearance.theme, LightOrDark::kDark);
+  EXPECT_EQ(layout().right_tab, Panel::kWhy) << "who takes back a colour still looks at the tab";
+  EXPECT_EQ(layout().left_tab, Panel::kRuns);
+  act("panel moment on");
+  EXPECT_EQ(session_->redo_title(), "Light theme") << "nor is what was taken back lost";
+  act("redo");
+  EXPECT_EQ(session_->view().appearance.theme, LightOrDark::kLight);
+  EXPECT_EQ(layout().right_tab, Panel::kMoment);
+}
+
+TEST_F(SessionLayoutTest, TakesHidingAPanelBackWithItsTab) {
+  act("panel why on");
+  act("panel why off");
+  EXPECT_EQ(session_->undo_title(), "Hide panel why");
+  EXPECT_NE(layout().right_tab, Panel::kWhy);
+  act("undo");
+  EXPECT_TRUE(layout().shows(Panel::kWhy));
+  EXPECT_EQ(layout().right_tab, Panel::kWhy) << "it was in front";
+}
+
+TEST_F(SessionLayoutTest, StillTakesSplittersAndFillingTheWindowBack) {
+  act("splitter left 300");
+  act("map-only on");
+  EXPECT_EQ(session_->undo_title(), "Map only");
+  act("undo");
+  EXPECT_EQ(session_->undo_title(), "Move splitter");
+  act("undo");
+  EXPECT_EQ(layout().left_pt, default_layout().left_pt);
 }
 
 TEST_F(SessionLayoutTest, ShowsAPanelOverAMapThatFillsTheWindow) {
@@ -69,6 +106,7 @@ TEST_F(SessionLayoutTest, KeepsLayoutsByName) {
   EXPECT_THAT(refused("layout wid"), HasSubstr("there is no layout 'wid'; did you mean wide?"));
   EXPECT_THAT(refused("save-layout default"), HasSubstr("'default' is always as it is"));
   EXPECT_THAT(refused("save-layout \"\""), HasSubstr("a layout needs a name"));
+  EXPECT_THAT(refused("save-layout gr\xfcn"), HasSubstr("no text in UTF-8"));
 }
 
 TEST_F(SessionLayoutTest, ChoosesAndOrdersStrips) {
@@ -121,5 +159,5 @@ TEST_F(SessionLayoutTest, OpensAndClosesWhatLiesOverTheWindow) {
   EXPECT_EQ(session_->view(), default_view_state());
 }
 
-}  // namespace
+}  // namespace session_layout_test
 }  // namespace nadir

@@ -5,7 +5,7 @@
 #include "tests/core/session/session_fixture.h"
 
 namespace nadir {
-namespace {
+namespace session_map_test {
 
 using testing::HasSubstr;
 
@@ -187,11 +187,17 @@ TEST_F(SessionMapTest, ShowsRaisesAndColoursLayers) {
   act("layer-move picture 2");
   EXPECT_EQ(look().order[2], Layer::kPicture);
   EXPECT_EQ(look().order[0], Layer::kLabels);
-  act("layer-move legend 99");
-  EXPECT_EQ(look().order.back(), Layer::kLegend);
-  act("layer-move legend -99");
-  EXPECT_EQ(look().order.front(), Layer::kLegend);
+  act("layer-move picture 99");
+  EXPECT_EQ(look().order[kLayerCount - 2], Layer::kPicture);
+  EXPECT_EQ(look().order.back(), Layer::kLegend) << "nothing lies on the legend";
+  act("layer-move particles -99");
+  EXPECT_EQ(look().order.front(), Layer::kParticles);
   EXPECT_EQ(look().order.size(), kLayerCount);
+  EXPECT_EQ(refused("layer-move legend -1"), "the legend always lies on top");
+  act("undo");
+  EXPECT_NE(look().order.front(), Layer::kParticles);
+  act("undo");
+  EXPECT_EQ(look().order[2], Layer::kPicture) << "each move is a step";
   EXPECT_THAT(refused("layer-colour truth red"), HasSubstr("'red' is no colour: write #RRGGBB"));
 }
 
@@ -204,6 +210,24 @@ TEST_F(SessionMapTest, SelectsParticlesThatThereAre) {
               HasSubstr("there is no particle 300: this moment has 300"));
   EXPECT_THAT(refused("select-particle -1"), HasSubstr("there is no particle -1"));
   act("select-particle");
+  EXPECT_FALSE(session_->view().selected_particle);
+}
+
+TEST_F(SessionMapTest, LetsGoOfAParticleWithItsStep) {
+  open_run();
+  act("seek 2");
+  act("select-particle 7");
+  act("theme light");
+  session_->poll(0.0);
+  EXPECT_EQ(session_->view().selected_particle, 7) << "while the step is the same";
+  act("step 1");
+  EXPECT_FALSE(session_->view().selected_particle) << "another particle has its number now";
+  EXPECT_EQ(session_->undo_title(), "Light theme");
+  act("undo");
+  EXPECT_FALSE(session_->view().selected_particle);
+  act("select-particle 7");
+  act("play on");
+  session_->poll(1.0);
   EXPECT_FALSE(session_->view().selected_particle);
 }
 
@@ -220,5 +244,5 @@ TEST_F(SessionMapTest, MeasuresPointByPoint) {
   EXPECT_TRUE(look().measured_in_enu_m.empty());
 }
 
-}  // namespace
+}  // namespace session_map_test
 }  // namespace nadir

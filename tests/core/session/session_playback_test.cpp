@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "core/session/run_comparison.h"
 #include "tests/core/run/recorded_run.h"
 #include "tests/core/session/session_fixture.h"
 
 namespace nadir {
-namespace {
+namespace session_playback_test {
 
 using testing::HasSubstr;
 
@@ -160,6 +161,25 @@ TEST_F(SessionPlaybackTest, KeepsTheMomentOfTheFlightWhenAnotherRunBecomesActive
   EXPECT_NEAR(now_s(), 3.1, 1e-9);
 }
 
+TEST_F(SessionPlaybackTest, ShortensARangeToARunThatEndsSooner) {
+  const fs_path path = scratch_.path() / "short.nadir";
+  {
+    const auto reader = RunReader::open(run_).value();
+    auto writer = RunWriter::create(path, reader.header()).value();
+    const std::vector<RunStep> steps = reader.steps().value();
+    for (const RunStep& step : steps) {
+      if (step.step > 10) break;
+      ASSERT_TRUE(writer.write(step));
+    }
+    ASSERT_TRUE(writer.finish());
+  }
+  act("loop 1 4");
+  act("open " + path.string());
+  settle();
+  EXPECT_EQ(session_->playback().loop_from_s, 1.0);
+  EXPECT_EQ(session_->playback().loop_to_s, document().duration_s());
+}
+
 TEST_F(SessionPlaybackTest, BeginsAtTheStartOfARunOfAnotherFlight) {
   record_run(scratch_.path() / "foreign.nadir", 50, 10);
   act("seek 3.1");
@@ -173,7 +193,8 @@ TEST_F(SessionPlaybackTest, BeginsAtTheStartOfARunOfAnotherFlight) {
 TEST_F(SessionPlaybackTest, FindsWhereRunsPart) {
   act("open " + copy_run("same.nadir").string());
   settle();
-  EXPECT_EQ(refused("divergence 1"), "same and loop never part");
+  EXPECT_EQ(refused("divergence 1"),
+            "same and loop never part: they are nowhere " + divergence_words());
   EXPECT_EQ(refused("divergence 2"), "same is the active run itself");
   EXPECT_EQ(refused("divergence 9"), "there is no run 9: 2 are open");
   record_run(scratch_.path() / "foreign.nadir", 20, 10);
@@ -193,7 +214,11 @@ TEST_F(SessionPlaybackTest, GoesToWhereARunLeavesTheActiveOne) {
   act("run 1");
   act("divergence 2");
   EXPECT_EQ(now_s(), 0.0) << "they are apart from the first step on";
+  ASSERT_FALSE(session_->notices().empty());
+  EXPECT_THAT(session_->notices().back().text,
+              testing::AllOf(HasSubstr("loop and astray part here, "),
+                             HasSubstr("parted is " + divergence_words())));
 }
 
-}  // namespace
+}  // namespace session_playback_test
 }  // namespace nadir

@@ -5,7 +5,7 @@
 #include "tests/core/session/session_fixture.h"
 
 namespace nadir {
-namespace {
+namespace session_rerun_test {
 
 namespace fs = std::filesystem;
 using testing::AnyOf;
@@ -62,10 +62,167 @@ TEST_F(SessionRerunTest, TakesPresetsByNameFileOrRun) {
   EXPECT_THAT(refused("preset /no/such.toml"), HasSubstr("/no/such.toml: does not exist"));
   EXPECT_THAT(refused("preset run"), HasSubstr("no run is open"));
   open_run();
+  EXPECT_EQ(session_->draft_options()->localiser.particle_count,
+            run_preset("thesis")->localiser.particle_count);
   act("preset run");
-  EXPECT_EQ(draft().preset, "default");
+  EXPECT_EQ(draft(), RunDraft());
   EXPECT_EQ(session_->draft_options()->localiser.particle_count, 300);
   EXPECT_EQ(session_->draft_options()->localiser.max_cells_per_class, 50);
+}
+
+TEST_F(SessionRerunTest, TakesTheActiveRunsOwnOptionsUnlessToldOtherwise) {
+  const auto text_of = [](const RunOptions& options) {
+    std::string text;
+    for (const OptionText& option : option_texts(options))
+      text += option.name + option.value + "\n";
+    return text;
+  };
+  EXPECT_EQ(text_of(*session_->draft_options()), text_of(RunOptions())) << "without a run";
+  open_run();
+  EXPECT_EQ(text_of(*session_->draft_options()), text_of(few_particles()));
+  EXPECT_EQ(text_of(*session_->draft_base()), text_of(few_particles()));
+  act("option particles 500");
+  act("option seed 7");
+  EXPECT_EQ(session_->draft_base()->localiser.particle_count, 300);
+  act("option particles 300");
+  EXPECT_THAT(draft().changed, ElementsAre(Pair("seed", "7"))) << "300 is the run's own";
+  act("rerun start");
+  EXPECT_EQ(session_->draft_base()->localiser.seed, 7U) << "of the run that has just begun";
+  settle();
+  EXPECT_EQ(document().header.seed, 7U);
+  EXPECT_EQ(document().header.options.at("particles"), "300");
+  EXPECT_EQ(document().header.options.at("max-cells"), "50");
+  const fs::path file = scratch_.path() / "as-the-run.toml";
+  act("save-preset " + file.string());
+  const auto recipe = read_run_recipe(file);
+  ASSERT_TRUE(recipe) << error_text(recipe);
+  EXPECT_EQ(text_of(recipe->options), text_of(*session_->draft_options()));
+}
+
+TEST_F(SessionRerunTest, TakesOptionsWhileTheRunIsStillBeingRead) {
+  act("open " + run_.string());
+  act("option particles 400");
+  EXPECT_THAT(session_->draft_options().error().message, HasSubstr("is still being read"));
+  EXPECT_EQ(refused("option particles 0"), "particles: 0 is not in [1, 1000000]");
+  settle();
+  EXPECT_EQ(session_->draft_options()->localiser.particle_count, 400);
+  EXPECT_EQ(session_->draft_options()->localiser.max_cells_per_class, 50);
+}
+
+TEST_F(SessionRerunTest, StartsAsTheRunWasStarted) {
+  RerunTask task = SmallWorld::get().task(scratch_.path() / "lost.nadir");
+  task.prior = GlobalPrior{};
+  task.options.localiser.global_particle_count = 400;
+  ASSERT_TRUE(rerun(task, {}, [](RerunProgress) {}));
+  act("open " + task.run.string());
+  settle();
+  act("rerun start");
+  settle();
+  ASSERT_THAT(session_->runs(), SizeIs(2));
+  EXPECT_EQ(document().header.options.at("prior"), "global");
+  const auto& first = session_->runs()[0].document->steps;
+  ASSERT_EQ(document().steps.size(), first.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(document().steps[i].estimate.moments.mean, first[i].estimate.moments.mean);
+  }
+  // What goes on from such a run began as it did.
+  act("seek 2");
+  act("rerun cursor");
+  settle();
+  act("rerun start");
+  settle();
+  EXPECT_EQ(document().header.parent_run, "");
+  EXPECT_EQ(document().header.options.at("prior"), "global");
+}
+
+TEST_F(SessionRerunTest, RefusesToGuessHowARunWasStarted) {
+  open_run();
+  act("seek 2");
+  act("rerun cursor");
+  settle();
+  act("close-run 1");
+  fs::remove(run_);
+  EXPECT_THAT(
+      refused("rerun start"),
+      HasSubstr("goes on from loop.nadir, which is not there, so how its flight began is not "
+                "known"));
+  EXPECT_THAT(session_->runs(), SizeIs(1));
+}
+
+TEST_F(SessionRerunTest, CountsOnlyTheNumbersThatItHasGiven) {
+  fs::copy_file(run_, scratch_.path() / "kitti-00.nadir");
+  fs::copy_file(run_, scratch_.path() / "drive-12.nadir");
+  for (const auto& [run, made] :
+       {std::pair("kitti-00", "kitti-00-2"), std::pair("drive-12", "drive-12-2")}) {
+    act("open " + (scratch_.path() / (std::string(run) + ".nadir")).string());
+    settle();
+    act("rerun start");
+    settle();
+    EXPECT_EQ(session_->active_run()->name, made);
+  }
+  act("rerun start");
+  settle();
+  EXPECT_EQ(session_->active_run()->name, "drive-12-3") << "that one was ours";
+}
+
+TEST_F(SessionRerunTest, LocalisesTheRunsFlightWhateverElseWasOpened) {
+  const fs::path other = scratch_.path() / "other";
+  fs::copy(SmallWorld::get().flight, other, fs::copy_options::recursive);
+  open_run();
+  EXPECT_EQ(refused("rerun flight"), "no flight is open: open one first");
+  act("open " + other.string());
+  settle();
+  EXPECT_EQ(session_->flight()->description().path, SmallWorld::get().flight);
+  EXPECT_EQ(session_->opened_flight()->description().path, other);
+  ASSERT_TRUE(session_->notices().back().remedy);
+  EXPECT_EQ(action_text(*session_->notices().back().remedy), "rerun flight") << "that is offered";
+  act("rerun start");
+  settle();
+  EXPECT_EQ(document().header.flight_path, SmallWorld::get().flight.string());
+  act("rerun flight");
+  settle();
+  EXPECT_EQ(document().header.flight_path, other.string());
+  EXPECT_EQ(session_->active_run()->path, scratch_.path() / "other.nadir") << "of its own name";
+  EXPECT_EQ(document().header.options.at("prior"), "truth of the first frame");
+}
+
+TEST_F(SessionRerunTest, SaysThatTheMapIsNotTheOneOfTheRun) {
+  open_run();
+  OverheadMap changed = SmallWorld::get().index->map();
+  changed.labels.at(3, 3) = changed.labels.at(3, 3) == kRoad ? kCurb : kRoad;
+  const fs::path map = scratch_.path() / "street";
+  ASSERT_TRUE(
+      write_overhead_map(changed, {"street", "made for a test", "CC0-1.0", ""}, std::nullopt, map));
+  act("rerun start");
+  settle();
+  EXPECT_THAT(notice_texts(), testing::Each(Not(HasSubstr("whose cells are not those")))) << "yet";
+  act("open " + map.string());
+  settle();
+  act("rerun start");
+  EXPECT_THAT(notice_texts(),
+              Contains(HasSubstr("whose cells are not those of the map that is open")));
+  settle();
+}
+
+TEST_F(SessionRerunTest, KeepsTheStepsOfARunThatFailsOnItsWay) {
+  const fs::path flight = scratch_.path() / "torn";
+  fs::copy(SmallWorld::get().flight, flight, fs::copy_options::recursive);
+  std::vector<fs::path> images;
+  for (const auto& entry : fs::directory_iterator(flight / "depth")) images.push_back(entry.path());
+  std::sort(images.begin(), images.end());
+  fs::resize_file(images.at(images.size() / 2), 20);
+  act("open " + flight.string());
+  act("open " + SmallWorld::get().map.string());
+  settle();
+  ask_for_a_quick_run();
+  act("rerun flight");
+  settle();
+  ASSERT_THAT(session_->runs(), SizeIs(1));
+  EXPECT_GT(document().steps.size(), 3U);
+  EXPECT_FALSE(document().is_complete);
+  EXPECT_THAT(notice_texts(), Contains(testing::AllOf(
+                                  HasSubstr("torn failed after "), HasSubstr("they are kept: "),
+                                  HasSubstr(images.at(images.size() / 2).filename().string()))));
 }
 
 TEST_F(SessionRerunTest, WritesRecipesThatLocaliseTakes) {
@@ -263,6 +420,22 @@ TEST_F(SessionRerunTest, ThatWasKilledIsOfferedByTheNextStartUpToItsLastStep) {
   session_.reset();
   ASSERT_EQ(killed_by_running("DISABLED_KilledSession.IsKilledWhileItMakesARun", scratch_.path()),
             SIGKILL);
+  for (int i = 0; i < 2; ++i) {  // as often as somebody starts it otherwise: nadir gui other.nadir
+    session_ = std::make_unique<Session>(places());
+    EXPECT_THAT(notice_texts(), Contains(HasSubstr("loop-2.nadir was being made when")));
+    act("open " + copy_run("other-" + std::to_string(i) + ".nadir").string());
+    settle();
+    act("rerun start");  // lists its own run beside it
+    settle();
+    session_->apply(actions::CloseRun{2});
+    session_->apply(actions::CloseRun{1});
+    session_.reset();
+  }
+  {
+    Session session(places());  // as it was when the program was killed
+    EXPECT_TRUE(session.apply(actions::OpenFile{run_.string()}));
+    poll_until(session, [&] { return session.map() && session.map()->index; });
+  }
   session_ = std::make_unique<Session>(places());
   session_->restore();
   settle();
@@ -285,7 +458,21 @@ TEST_F(SessionRerunTest, ThatWasKilledIsOfferedByTheNextStartUpToItsLastStep) {
   settle();
   EXPECT_EQ(document().steps.size(), session_->runs()[0].document->steps.size())
       << "and can be brought to its end";
+  start();
+  EXPECT_THAT(notice_texts(), IsEmpty()) << "who has opened it is not asked again";
 }
 
-}  // namespace
+TEST_F(SessionRerunTest, ThatWasKilledIsNotOfferedAgainOnceThatIsDismissed) {
+  session_.reset();
+  ASSERT_EQ(killed_by_running("DISABLED_KilledSession.IsKilledWhileItMakesARun", scratch_.path()),
+            SIGKILL);
+  start();
+  ASSERT_THAT(session_->notices(), SizeIs(1));
+  act("dismiss");
+  start();
+  EXPECT_THAT(session_->notices(), IsEmpty());
+  EXPECT_TRUE(fs::exists(scratch_.path() / "loop-2.nadir")) << "it is there for all that";
+}
+
+}  // namespace session_rerun_test
 }  // namespace nadir

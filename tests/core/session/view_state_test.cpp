@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace nadir {
-namespace {
+namespace view_state_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -36,13 +36,14 @@ TEST(ViewState, IsRepairedOnlyOnce) {
 
 TEST(ViewState, HasEveryLayerAndStripOnceHoweverItWasRead) {
   ViewState view = default_view_state();
-  view.map.order = {Layer::kLegend, Layer::kPicture};
+  view.map.order = {Layer::kLegend, Layer::kTruth, Layer::kPicture};
   view.layout.strips = {{Strip::kStreams, true, 50.0}};
   view = repaired(view);
   EXPECT_THAT(view.map.order, SizeIs(kLayerCount));
-  EXPECT_EQ(view.map.order[0], Layer::kLegend);
+  EXPECT_EQ(view.map.order[0], Layer::kTruth);
   EXPECT_EQ(view.map.order[1], Layer::kPicture);
   EXPECT_EQ(view.map.order[2], Layer::kLabels) << "what is missing follows in its usual order";
+  EXPECT_EQ(view.map.order.back(), Layer::kLegend) << "which nothing lies on";
   EXPECT_EQ(view.layout.strips[0].strip, Strip::kStreams);
   EXPECT_THAT(view.layout.strips, SizeIs(kStripCount));
 }
@@ -113,9 +114,10 @@ TEST(Switch, MakesOnOffOrTheOther) {
 
 TEST(PanelColumns, AreThoseOfTheWindow) {
   EXPECT_EQ(column_of(Panel::kBookmarks), Column::kLeft);
+  EXPECT_EQ(column_of(Panel::kLog), Column::kLeft);
   EXPECT_EQ(column_of(Panel::kSettings), Column::kRight);
   EXPECT_FALSE(column_of(Panel::kTimeline));
 }
 
-}  // namespace
+}  // namespace view_state_test
 }  // namespace nadir

@@ -6,7 +6,7 @@
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace view_text_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -43,7 +43,6 @@ SavedView unusual_view() {
   view.draft = {"thesis", {{"particles", "500"}, {"match", "class"}}};
   view.selected_particle = 42;
   saved.playback = {12.5, false, 4.0, 1.0, 20.0};
-  saved.writing = {"/runs/c.nadir"};
   return saved;
 }
 
@@ -54,7 +53,6 @@ TEST(ViewText, GivesTheSameViewAgain) {
     ASSERT_TRUE(read) << error_text(read);
     EXPECT_EQ(read->view, saved.view);
     EXPECT_EQ(read->playback, saved.playback);
-    EXPECT_EQ(read->writing, saved.writing);
     EXPECT_EQ(view_text(*read), text);
   }
 }
@@ -81,6 +79,27 @@ TEST(ViewText, BringsWhatIsOutOfRangeIntoIt) {
   EXPECT_EQ(read->view.map.layer(Layer::kTruth).opacity, 1.0);
 }
 
+TEST(ViewText, LeavesWhatALaterVersionMayKnowAsItBegins) {
+  const auto read = parse_view_text(
+      "version = 1\n[map_view]\nup = \"down\"\nwidth_m = 50\n"
+      "[[layer]]\nname = \"sky\"\nvisible = false\n"
+      "[[layer]]\nname = \"truth\"\nvisible = false\n"
+      "[layout]\npanels = [\"cellar\", \"log\"]\nleft_tab = \"cellar\"\n"
+      "[[layout.strip]]\nname = \"smell\"\nvisible = false\n"
+      "[appearance]\ntheme = \"sepia\"\n",
+      "s");
+  ASSERT_TRUE(read) << error_text(read);
+  const ViewState normal = default_view_state();
+  EXPECT_EQ(read->view.map.up, normal.map.up);
+  EXPECT_EQ(read->view.map.width_m, 50.0) << "what it knows it takes";
+  EXPECT_TRUE(read->view.map.layer(Layer::kPicture).is_visible) << "the sky is no picture";
+  EXPECT_FALSE(read->view.map.layer(Layer::kTruth).is_visible);
+  EXPECT_TRUE(read->view.layout.shows(Panel::kLog));
+  EXPECT_FALSE(read->view.layout.shows(Panel::kLayers));
+  EXPECT_EQ(read->view.layout.strips, normal.layout.strips);
+  EXPECT_EQ(read->view.appearance, normal.appearance);
+}
+
 TEST(ViewText, RefusesWhatIsNoneNamingTheFault) {
   const std::vector<std::pair<std::string, std::string>> faults = {
       {"", "s: version is missing"},
@@ -89,17 +108,12 @@ TEST(ViewText, RefusesWhatIsNoneNamingTheFault) {
       {"version = 1\nmap = 3", "s: map is not a text in quotes (line 2)"},
       {"version = 1\nactive_run = 99999999999",
        "s: active_run is 99999999999, which is out of range"},
-      {"version = 1\n[map_view]\nup = \"down\"",
-       "s: map_view: up is none that this version knows: down"},
       {"version = 1\n[map_view]\ncentre = [1]", "s: map_view: centre is not two numbers"},
       {"version = 1\n[map_view]\nmeasured = [1]", "s: map_view: measured is not pairs of numbers"},
       {"version = 1\n[map_view]\nwidth_m = inf",
        "s: map_view: width_m is inf, not a finite number"},
-      {"version = 1\n[[layer]]\nname = \"sky\"",
-       "s: layer[0]: name is none that this version knows: sky"},
+      {"version = 1\n[[layer]]\nname = 3", "s: layer[0]: name is not a text in quotes"},
       {"version = 1\nrun = 4", "s: run is not a list of tables"},
-      {"version = 1\n[layout]\npanels = [\"cellar\"]",
-       "s: layout: panels: there is no panel 'cellar'"},
       {"version = 1\n[[layout.strip]]\nheight_pt = \"x\"",
        "s: layout: strip[0]: height_pt is not a number"},
       {"version = 1\ndraft = 1", "s: draft is not a table"}};
@@ -124,6 +138,8 @@ TEST(PreferencesText, GivesTheSameAgain) {
   preferences.appearance = {LightOrDark::kLight, 2.0, true};
   preferences.memory_megabytes = 512;
   preferences.recents = {"/a b", "/c"};
+  preferences.recent_commands = {"theme dark", "go worst"};
+  preferences.turned_sections = {"Right/Why/Modes", "Left/Runs/Errors"};
   preferences.layouts["mine \"own\""] = default_layout();
   preferences.layouts["wide"] = default_layout();
   preferences.layouts["wide"].left_pt = 444.0;
@@ -133,6 +149,8 @@ TEST(PreferencesText, GivesTheSameAgain) {
   EXPECT_EQ(read->appearance, preferences.appearance);
   EXPECT_EQ(read->memory_megabytes, 512);
   EXPECT_THAT(read->recents, ElementsAre("/a b", "/c"));
+  EXPECT_EQ(read->turned_sections, preferences.turned_sections);
+  EXPECT_EQ(read->recent_commands, preferences.recent_commands);
   EXPECT_EQ(read->layouts, preferences.layouts);
 }
 
@@ -150,5 +168,5 @@ TEST(PreferencesText, IsRefusedOrRepaired) {
             "p: was written by a newer version of Nadir");
 }
 
-}  // namespace
+}  // namespace view_text_test
 }  // namespace nadir

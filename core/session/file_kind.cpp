@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/file_kind.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+#include "core/base/settings.h"
+#include "core/flight/flight_formats.h"
+
+namespace nadir {
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string lower_case_ending(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return ending;
+}
+
+/// The first bytes of a file; empty where it cannot be read.
+std::string beginning_of(const fs::path& path, std::size_t most_bytes) {
+  std::string begin(most_bytes, '\0');
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
+  return begin;
+}
+
+bool begins_like_sqlite(const fs::path& path) {
+  constexpr std::string_view kMagic = "SQLite format 3";
+  return beginning_of(path, kMagic.size()) == kMagic;
+}
+
+/// Those of Nadir carry their recipe before their pixels or lines.
+bool carries_recipe(const fs::path& path) {
+  constexpr std::size_t kFarEnough = 8192;
+  return beginning_of(path, kFarEnough).find("Drawn by Nadir") != std::string::npos;
+}
+
+bool is_flight_folder(const fs::path& folder) {
+  return is_native_flight(folder) || is_kitti_raw_flight(folder) ||
+         is_kitti_odometry_flight(folder);
+}
+
+Result<FileKind> kind_of_toml(const fs::path& path) {
+  std::error_code error;
+  if (fs::file_size(path, error) > kMostRecipeBytes) {
+    return fail(ErrorCode::kUnsupported, "{}: is too large for a recipe", path.string());
+  }
+  const auto settings = Settings::read(path);
+  if (!settings) return forward_error(settings);
+  if (settings->has("figure")) return FileKind::kFigureRecipe;
+  if (settings->has("preset") || settings->has("options")) return FileKind::kRunRecipe;
+  return fail(ErrorCode::kUnsupported,
+              "{}: is no recipe: it names neither a figure nor a preset or options", path.string());
+}
+
+}  // namespace
+
+Result<FileToOpen> file_to_open(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) {
+    return fail(ErrorCode::kNotFound, "{}: does not exist", path.string());
+  }
+  if (fs::is_directory(path, error)) {
+    const bool is_map = fs::exists(path / "map.toml", error);
+    return FileToOpen{is_map ? FileKind::kMap : FileKind::kFlight, path};
+  }
+  if (path.filename() == "map.toml") return FileToOpen{FileKind::kMap, path.parent_path()};
+  if (path.filename() == "flight.toml") return FileToOpen{FileKind::kFlight, path.parent_path()};
+  if (begins_like_sqlite(path)) return FileToOpen{FileKind::kRun, path};
+  const std::string ending = lower_case_ending(path);
+  if (ending == ".nadir") {
+    return fail(ErrorCode::kMalformed, "{}: is not a run file", path.string());
+  }
+  if (ending == ".toml") {
+    const auto kind = kind_of_toml(path);
+    if (!kind) return forward_error(kind);
+    return FileToOpen{*kind, path};
+  }
+  if (ending == ".png" || ending == ".svg") return FileToOpen{FileKind::kFigure, path};
+  if (ending == ".pdf" || ending == ".mp4") {
+    return fail(ErrorCode::kUnsupported, "{}: only PNG and SVG figures carry what they show",
+                path.string());
+  }
+  return FileToOpen{FileKind::kFlight, path};
+}
+
+FileKind kind_at_a_glance(const fs::path& path, bool is_folder) {
+  std::error_code error;
+  if (is_folder) {
+    if (fs::exists(path / "map.toml", error)) return FileKind::kMap;
+    return is_flight_folder(path) ? FileKind::kFlight : FileKind::kFolder;
+  }
+  const std::string ending = lower_case_ending(path);
+  if (ending == ".nadir") return FileKind::kRun;
+  if (ending == ".toml") return kind_of_toml(path).value_or(FileKind::kOther);
+  if (ending == ".png" || ending == ".svg") {
+    return carries_recipe(path) ? FileKind::kFigure : FileKind::kOther;
+  }
+  if (ending == ".txt" || ending == ".tum") {
+    return is_trajectory_file(path) ? FileKind::kFlight : FileKind::kOther;
+  }
+  return FileKind::kOther;
+}
+
+}  // namespace nadir

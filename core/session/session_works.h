@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/session/open_run.h"
+#include "core/session/rerun.h"
+
+// What a session is at work on: things on their way from the disk, and onto it.
+namespace nadir {
+
+/// What reading a run gives.
+struct ReadRun {
+  std::shared_ptr<const RunDocument> document;
+  Bookmarks bookmarks;  ///< Read only the first time.
+  std::optional<Error> bookmarks_fault;
+};
+/// What reading a map gives; the index is never null.
+struct ReadMap {
+  MapProvenance provenance;
+  std::shared_ptr<const MapIndex> index;
+  std::string hash;
+};
+template <typename Value>
+using ReadingJob = std::optional<Job<int, Value>>;
+
+/// Tells whether somebody has written into a file.
+struct FileState {
+  std::uintmax_t bytes = 0;
+  std::filesystem::file_time_type written;
+  friend bool operator==(const FileState&, const FileState&) = default;
+};
+[[nodiscard]] FileState file_state(const std::filesystem::path& path);
+
+/// What belongs to an open run beside OpenRun.
+struct RunWork {
+  int number = 0;  ///< As a job.
+  ReadingJob<ReadRun> reading;
+  std::string flight_path, map_path;  ///< Empty: not known yet, or not there.
+  double since_reading_s = 1e9;       ///< Of a run that grows.
+  bool is_last_reading_due = false;   ///< It has ended and may have grown since it was read.
+  FileState file;                     ///< When its last reading began.
+  double since_look_s = 0.0;          ///< Since the file was compared with that.
+  bool is_opened_again = false;       ///< So file, flight and map are to be looked at anew.
+};
+
+/// The run whose file names a map that is to be shown, as soon as that is known.
+struct MapWish {
+  std::uint64_t since = 0;  ///< Number of the change that opened it: what was before keeps its map.
+  bool keeps_sight = false;  ///< What of the ground is shown was chosen with it.
+};
+
+/// What of an earlier active run tells its time.
+struct TimedRun {
+  RunHeader header;
+  double start_clock_s = 0.0;
+};
+
+/// What opening a flight gives; the recording is never null.
+struct ReadFlight {
+  std::shared_ptr<const FlightRecording> recording;
+  std::vector<std::string> maps;  ///< Map packages that may belong to it.
+  std::string hash;               ///< flight_hash() of one that was opened by itself.
+};
+struct FlightWork {
+  std::shared_ptr<const FlightRecording> recording;
+  std::vector<std::string> maps;
+  std::string hash;
+  ReadingJob<ReadFlight> reading;
+  bool has_failed = false;
+};
+
+/// What a run was made with: from here the options of the next one differ.
+struct OptionsBase {
+  std::string preset;
+  RunOptions options;
+};
+
+struct RerunWork {
+  int number = 0;
+  std::string name;
+  std::filesystem::path run;
+  std::string flight_path, map_path;  ///< What it is made from.
+  OptionsBase base;
+  Result<std::optional<Prior>> prior;  ///< Of the flight's start; or why nobody knows it.
+  Job<RerunProgress, RerunOutcome> job;
+  bool is_cancelled = false;
+};
+
+/// Small work with one result: a table that is written, a figure whose recipe is read.
+struct SmallWork {
+  int number = 0;
+  std::string title;
+  Job<int, std::string> job;
+  std::function<void(std::string)> when_done;  ///< Takes the result; called from poll().
+  bool is_cancelled = false;
+};
+
+/// Work of the shell.
+struct EffectWork {
+  int number = 0;
+  std::string title;
+  double fraction = 0.0;
+  std::string activity;
+  std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
+  bool is_cancelled = false;
+  bool opens_result = false;  ///< What was made is opened.
+};
+
+}  // namespace nadir
