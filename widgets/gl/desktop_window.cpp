@@ -88,7 +88,12 @@ Result<std::unique_ptr<DesktopWindow>> DesktopWindow::create(const std::string& 
   }
   std::unique_ptr<DesktopWindow> made(new DesktopWindow(std::move(*library), window));
   made->make_current();
-  glewInit();  // loads the entry points; where there is no GLX it complains afterwards
+  // Where there is no GLX it complains after having loaded the entry points.
+  const GLenum loaded = glewInit();
+  if (loaded != GLEW_OK && loaded != GLEW_ERROR_NO_GLX_DISPLAY) {
+    return fail(ErrorCode::kUnsupported, "the display gives no window with OpenGL 3.3 ({})",
+                reinterpret_cast<const char*>(glewGetErrorString(loaded)));
+  }
   glfwSwapInterval(1);
   return made;
 }
@@ -96,10 +101,39 @@ Result<std::unique_ptr<DesktopWindow>> DesktopWindow::create(const std::string& 
 DesktopWindow::DesktopWindow(std::shared_ptr<Library> library, GLFWwindow* window)
     : library_(std::move(library)), window_(window) {
   glfwSetWindowUserPointer(window_, this);
-  glfwSetDropCallback(window_, [](GLFWwindow* target, int count, const char** paths) {
-    auto& self = *static_cast<DesktopWindow*>(glfwGetWindowUserPointer(target));
-    self.dropped_.insert(self.dropped_.end(), paths, paths + count);
+  listen();
+}
+
+/// GLFW calls back while events are polled, which is when they are told in their order; later it knows only how things stand.
+void DesktopWindow::listen() {
+  using Kind = WindowEvent::Kind;
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* target, double x, double y) {
+    of(target).events_.push_back({Kind::kMouse, 0, true, {x, y}});
   });
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* target, int is_inside) {
+    if (is_inside == GLFW_FALSE) of(target).events_.push_back({Kind::kMouse, 0, false, {0.0, 0.0}});
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* target, int button, int action, int) {
+    of(target).events_.push_back({Kind::kButton, button, action == GLFW_PRESS, {0.0, 0.0}});
+  });
+  glfwSetScrollCallback(window_, [](GLFWwindow* target, double right, double away) {
+    of(target).events_.push_back({Kind::kWheel, 0, false, {right, away}});
+  });
+  glfwSetKeyCallback(window_, [](GLFWwindow* target, int key, int, int action, int) {
+    if (key == GLFW_KEY_UNKNOWN || action == GLFW_REPEAT) return;
+    of(target).events_.push_back({Kind::kKey, key, action == GLFW_PRESS, {0.0, 0.0}});
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* target, unsigned int character) {
+    of(target).events_.push_back({Kind::kCharacter, static_cast<int>(character), true, {0.0, 0.0}});
+  });
+  glfwSetDropCallback(window_, [](GLFWwindow* target, int count, const char** paths) {
+    auto& dropped = of(target).dropped_;
+    dropped.insert(dropped.end(), paths, paths + count);
+  });
+}
+
+DesktopWindow& DesktopWindow::of(GLFWwindow* window) {
+  return *static_cast<DesktopWindow*>(glfwGetWindowUserPointer(window));
 }
 
 DesktopWindow::~DesktopWindow() { glfwDestroyWindow(window_); }
@@ -128,11 +162,19 @@ void DesktopWindow::set_should_close(bool should_close) {
   glfwSetWindowShouldClose(window_, should_close ? GLFW_TRUE : GLFW_FALSE);
 }
 
+bool DesktopWindow::is_minimised() const {
+  // Some desktops make it empty, others only say so.
+  return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE ||
+         framebuffer_size().minCoeff() <= 0;
+}
+
 Eigen::Vector2i DesktopWindow::framebuffer_size() const {
   Eigen::Vector2i size = Eigen::Vector2i::Zero();
   glfwGetFramebufferSize(window_, &size.x(), &size.y());
   return size;
 }
+
+std::vector<WindowEvent> DesktopWindow::take_events() { return std::exchange(events_, {}); }
 
 std::vector<std::filesystem::path> DesktopWindow::take_dropped_files() {
   return std::exchange(dropped_, {});

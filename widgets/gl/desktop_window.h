@@ -9,6 +9,7 @@
 
 #include "core/base/result.h"
 #include "widgets/canvas/canvas.h"
+#include "widgets/gl/window_event.h"
 
 struct GLFWwindow;
 
@@ -31,7 +32,7 @@ class DesktopWindow {
   DesktopWindow(const DesktopWindow&) = delete;
   DesktopWindow& operator=(const DesktopWindow&) = delete;
 
-  /// For whoever takes its input (Dear ImGui's backend does). Valid as long as this.
+  /// For whoever gives it the pointer's shape and the clipboard (Dear ImGui's backend does). Valid as long as this.
   [[nodiscard]] GLFWwindow* handle() const;
 
   void make_current();
@@ -49,18 +50,27 @@ class DesktopWindow {
 
   [[nodiscard]] bool should_close() const;
   void set_should_close(bool should_close);
+  /// Nobody can see it: drawing is in vain.
+  [[nodiscard]] bool is_minimised() const;
   /// Pixels of frame buffer 0: width, height. 0 while the window is minimised.
   [[nodiscard]] Eigen::Vector2i framebuffer_size() const;
   /// Size of text and widgets that this screen asks for: 1 is 96 dpi, 2 a screen of twice as many pixels.
   [[nodiscard]] double content_scale() const;
+  /// What mouse and keys did since the last call, in the order in which it came. Each key that went down comes up again, also
+  /// where the window has lost the keyboard meanwhile.
+  [[nodiscard]] std::vector<WindowEvent> take_events();
+  [[nodiscard]] bool has_events() const { return !events_.empty(); }
   /// Files that were dropped on the window since the last call, in their order.
   [[nodiscard]] std::vector<std::filesystem::path> take_dropped_files();
 
  private:
   class Library;
   DesktopWindow(std::shared_ptr<Library> library, GLFWwindow* window);
+  [[nodiscard]] static DesktopWindow& of(GLFWwindow* window);
+  void listen();
   std::shared_ptr<Library> library_;  ///< Before the window, which needs it to the end.
   GLFWwindow* window_;
+  std::vector<WindowEvent> events_;
   std::vector<std::filesystem::path> dropped_;
 };
 

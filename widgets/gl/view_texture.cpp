@@ -7,6 +7,8 @@
 #include <vtkTextureObject.h>
 #include <vtk_glew.h>
 
+#include <algorithm>
+
 #include "core/base/require.h"
 #include "widgets/gl/offscreen_renderer.h"
 
@@ -33,24 +35,25 @@ std::uint32_t ViewTexture::draw(int width, int height) {
   return texture_;
 }
 
-PictureTexture::~PictureTexture() {
-  if (texture_ != 0) glDeleteTextures(1, &texture_);
-}
-
-std::uint32_t PictureTexture::show(const Raster<Rgba>& pixels, bool is_smooth) {
-  if (pixels.empty()) return 0;
-  if (texture_ == 0) glGenTextures(1, &texture_);
+Raster<Rgba> ViewTexture::pixels() const {
+  if (texture_ == 0) return {};
+  Raster<Rgba> read(width_, height_);
+  GLint before = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &before);
   glBindTexture(GL_TEXTURE_2D, texture_);
-  const GLint filter = is_smooth ? GL_LINEAR : GL_NEAREST;
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, pixels.width(), pixels.height(), 0, GL_RGBA,
-               GL_UNSIGNED_BYTE, pixels.data());
-  return texture_;
+  glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(before));
+  for (Rgba& pixel : read.values()) {
+    if (pixel.alpha == 0 || pixel.alpha == 255) continue;
+    const int alpha = pixel.alpha;
+    const auto straight = [alpha](std::uint8_t channel) {
+      return static_cast<std::uint8_t>(std::min(255, (channel * 255 + alpha / 2) / alpha));
+    };
+    pixel = {straight(pixel.red), straight(pixel.green), straight(pixel.blue), pixel.alpha};
+  }
+  return read;
 }
 
 }  // namespace nadir

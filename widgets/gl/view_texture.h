@@ -32,29 +32,14 @@ class ViewTexture {
   [[nodiscard]] std::uint32_t texture() const { return texture_; }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
+  /// What was drawn last, not premultiplied and rows from the *bottom*; empty before. Waits for the graphics card.
+  [[nodiscard]] Raster<Rgba> pixels() const;
 
  private:
   vtkNew<RenderWindow> window_;
   vtkSmartPointer<vtkRenderer> scene_;
   std::uint32_t texture_ = 0;
   int width_ = 0, height_ = 0;
-};
-
-/// Pixels as a texture of the OpenGL context that is current, for a window to show.
-class PictureTexture {
- public:
-  PictureTexture() = default;
-  ~PictureTexture();
-  PictureTexture(const PictureTexture&) = delete;
-  PictureTexture& operator=(const PictureTexture&) = delete;
-
-  /// Uploads. @param is_smooth  Mixed between pixels when enlarged; false for classes. @returns the texture's name, rows from
-  /// the top; 0 for an empty raster.
-  std::uint32_t show(const Raster<Rgba>& pixels, bool is_smooth);
-  [[nodiscard]] std::uint32_t texture() const { return texture_; }
-
- private:
-  std::uint32_t texture_ = 0;
 };
 
 }  // namespace nadir

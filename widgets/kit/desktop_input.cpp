@@ -3,16 +3,27 @@
 
 #include <backends/imgui_impl_glfw.h>
 
+#include <algorithm>
+
 #include "core/base/require.h"
+#include "widgets/gl/desktop_window.h"
 #include "widgets/kit/ui_canvas.h"
 #include "widgets/kit/ui_frame.h"
 
 namespace nadir::kit {
+namespace {
 
-DesktopInput::DesktopInput(UiContext& context, GLFWwindow* window) : context_(context) {
+/// What waited came while the frame before was drawn: for the hand, no more time has passed than between two frames.
+constexpr double kWaitedS = 1.0 / 60.0;
+
+}  // namespace
+
+DesktopInput::DesktopInput(UiContext& context, DesktopWindow& window)
+    : context_(context), window_(window) {
   ImGui::SetCurrentContext(context.state().imgui);
   NADIR_REQUIRE(ImGui::GetIO().BackendPlatformUserData == nullptr);
-  ImGui_ImplGlfw_InitForOpenGL(window, true);
+  // Not its callbacks: they know how things stand when a frame begins, and lose what came and went before.
+  ImGui_ImplGlfw_InitForOpenGL(window.handle(), false);
 }
 
 DesktopInput::~DesktopInput() {
@@ -23,29 +34,15 @@ DesktopInput::~DesktopInput() {
 FrameInput DesktopInput::take() {
   ImGui::SetCurrentContext(context_.state().imgui);
   ImGui_ImplGlfw_NewFrame();
-  ImGuiIO& io = ImGui::GetIO();
-  FrameInput input;
+  const bool has_waited = queue_.is_waiting();
+  queue_.add(window_.take_events());
+  FrameInput input = queue_.next(context_.is_typing());
+  const ImGuiIO& io = ImGui::GetIO();
   input.size_px = {io.DisplaySize.x, io.DisplaySize.y};
   input.framebuffer_scale =
       io.DisplayFramebufferScale.x > 0.0F ? io.DisplayFramebufferScale.x : 1.0;
-  input.delta_s = io.DeltaTime;
-  if (ImGui::IsMousePosValid(&io.MousePos))
-    input.mouse_px = Eigen::Vector2d(io.MousePos.x, io.MousePos.y);
-  for (std::size_t i = 0; i < input.buttons.size(); ++i) input.buttons.at(i) = io.MouseDown[i];
-  input.wheel = {io.MouseWheelH, io.MouseWheel};
-  for (int key = 1; key < IM_ARRAYSIZE(io.KeysDown); ++key) {
-    if (io.KeysDown[key]) input.keys.push_back(static_cast<Key>(key));
-  }
-  for (const ImWchar letter : io.InputQueueCharacters) {
-    std::array<char, 5> utf8 = {};
-    ImTextCharToUtf8(utf8.data(), letter);
-    input.characters += utf8.data();
-  }
-  input.modifiers = {io.KeyCtrl, io.KeyShift, io.KeyAlt, io.KeySuper};
-  // begin_frame() gives it all back.
-  io.MouseWheel = io.MouseWheelH = 0.0F;
-  io.ClearInputCharacters();
-  return input;
+  input.delta_s = has_waited ? std::min(kWaitedS, 1.0 * io.DeltaTime) : io.DeltaTime;
+  return input;  // begin_frame() gives it all back
 }
 
 }  // namespace nadir::kit

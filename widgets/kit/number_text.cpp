@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace nadir::kit {
 
@@ -36,6 +37,28 @@ std::optional<double> read_number(const std::string& text, const NumberOptions& 
   while (!rest.empty() && rest.back() == ' ') rest.pop_back();
   if (!rest.empty() && rest != options.unit) return std::nullopt;
   return std::clamp(value, options.least, options.most);
+}
+
+std::optional<double> read_number_within(const std::string& text, const NumberOptions& options) {
+  NumberOptions open = options;
+  open.least = -std::numeric_limits<double>::infinity();
+  open.most = std::numeric_limits<double>::infinity();
+  const auto value = read_number(text, open);
+  if (!value || *value < options.least || *value > options.most) return std::nullopt;
+  return value;
+}
+
+std::string number_complaint(const std::string& text, const NumberOptions& options) {
+  if (text.find_first_not_of(" +-.,") == std::string::npos) return {};
+  NumberOptions unbounded = options;
+  unbounded.least = -std::numeric_limits<double>::infinity();
+  unbounded.most = std::numeric_limits<double>::infinity();
+  const auto value = read_number(text, unbounded);
+  if (!value) return options.unit.empty() ? "not a number" : "not a number in " + options.unit;
+  const std::string unit = options.unit.empty() ? "" : " " + options.unit;
+  if (*value < options.least) return "at least " + digits_text(options.least, options) + unit;
+  if (*value > options.most) return "at most " + digits_text(options.most, options) + unit;
+  return {};
 }
 
 double step_of(const NumberOptions& options) {

@@ -18,6 +18,12 @@ namespace nadir::kit {
 /// asked for. Nothing where it is none.
 [[nodiscard]] std::optional<double> read_number(const std::string& text,
                                                 const NumberOptions& options);
+/// The same, but nothing where it is out of range.
+[[nodiscard]] std::optional<double> read_number_within(const std::string& text,
+                                                       const NumberOptions& options);
+/// What is wrong with a text that is being typed, in a word: "not a number", "at most 10.00 m". Empty where nothing is, or
+/// nothing has been typed yet.
+[[nodiscard]] std::string number_complaint(const std::string& text, const NumberOptions& options);
 [[nodiscard]] double step_of(const NumberOptions& options);
 /// The options' hint with unit and default.
 [[nodiscard]] Hint number_hint(const NumberOptions& options);

@@ -92,8 +92,8 @@ bool Ui::is_pressed(const Chord& chord, bool with_repeats) const {
       (is_arrow(chord.key) || chord.key == Key::kEnter || chord.key == Key::kEscape))
     return false;
   if (chord.character != 0 && !chord.modifiers.ctrl && !chord.modifiers.alt) {
-    return input.characters.find(chord.character) != std::string::npos &&
-           input.modifiers.ctrl == input.modifiers.alt;
+    // Whatever was held down for it: on many keyboards "[" is typed with the right Alt.
+    return input.characters.find(chord.character) != std::string::npos;
   }
   Key key = chord.key;
   if (chord.character != 0)
@@ -119,6 +119,15 @@ bool Ui::wants_mouse() const {
   return imgui.ActiveId != 0 || imgui.OpenPopupStack.Size > 0 ||
          (imgui.HoveredIdPreviousFrame != 0 &&
           imgui.HoveredIdPreviousFrame != frame_->state.hovered_area);
+}
+
+std::vector<std::string> Ui::turned_sections() const {
+  const std::set<std::string>& turned = frame_->state.turned_sections;
+  return {turned.begin(), turned.end()};
+}
+
+void Ui::set_turned_sections(std::span<const std::string> paths) {
+  frame_->state.turned_sections = {paths.begin(), paths.end()};
 }
 
 std::string Ui::clipboard() const {

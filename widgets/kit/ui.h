@@ -116,6 +116,7 @@ class Ui {
   void hint(const Hint& hint);
 
   // ---- Buttons and choices (ui_buttons.cpp); true or a value only in the frame of the click ----
+  /// One that has no room behind others on its line begins the next.
   bool button(const std::string& label,
               ButtonLook look = ButtonLook::kNormal,
               const Hint& hint = {},
@@ -145,10 +146,15 @@ class Ui {
                                    std::span<const std::string> items,
                                    std::size_t chosen,
                                    const Hint& hint = {});
-  /// Tabs across; draws no content. Paths are "name/tab".
+  /// Tabs across, in several rows where they do not fit into one; draws no content. Paths are "name/tab".
   std::optional<std::size_t> tabs(const std::string& name,
                                   std::span<const std::string> titles,
                                   std::size_t chosen);
+  /// Tools under each other, as many as fit into `height`; the others are in a menu below them ("More"). Paths are those of
+  /// the tools' names. Gives the place of the tool that was clicked.
+  std::optional<std::size_t> tool_column(std::span<const Tool> tools, double height);
+  /// How much of `height` it takes.
+  [[nodiscard]] double tool_column_height(std::span<const Tool> tools, double height) const;
   /// The workspaces' rail: an icon with a word under it.
   bool rail_button(const std::string& name, Icon icon, const Hint& hint, bool is_chosen);
   /// A swatch; a click opens a picker with sliders and hexadecimal digits. Paths of those begin with "label/".
@@ -180,7 +186,7 @@ class Ui {
                          std::size_t count,
                          double row_height);
 
-  // ---- Lists and tables (ui_tables.cpp) ----
+  // ---- Lists and tables (ui_rows.cpp, ui_tables.cpp) ----
   /// A row across that can be chosen, 28 high. Controls may follow with same_line() and right_align(): they lie on it.
   RowInput list_row(const std::string& name, const ListRow& row = {});
   /// A part that folds at a click on its heading. Pushes `label` as scope.
@@ -207,6 +213,8 @@ class Ui {
     bool is_descending = false;
   };
   [[nodiscard]] std::optional<Sorting> sorting() const;
+  /// Scrolls a table of a height of its own so that a row can be seen, for those who go through it by keys.
+  void keep_row_in_sight(std::size_t row);
 
   // ---- Menus and notices (ui_menus.cpp) ----
   /// Menus beside each other, at the current place of a region; other controls may follow with same_line(). Pushes no scope.
@@ -225,7 +233,9 @@ class Ui {
 
   // ---- Free areas (ui_areas.cpp) ----
   /// A part to draw on, with the mouse's doings in it. @param size  0: what is left.
-  AreaInput area(const std::string& name, const Eigen::Vector2d& size = Eigen::Vector2d::Zero());
+  AreaInput area(const std::string& name,
+                 const Eigen::Vector2d& size = Eigen::Vector2d::Zero(),
+                 Wheel wheel = Wheel::kOwn);
   /// Draws on the area made last, clipped to it. Valid until the next area, or the end of the frame.
   [[nodiscard]] Canvas& canvas();
   /// Fills the area made last, or a part of its page, with a texture of OpenGL. @param is_bottom_row_first  As OpenGL renders.
@@ -246,6 +256,10 @@ class Ui {
   [[nodiscard]] bool wants_mouse() const;
   /// What the user copied last, here or in another program.
   [[nodiscard]] std::string clipboard() const;
+  /// Paths of the sections that are not as they are at first, for they were clicked at; rising. To be kept from one start to
+  /// the next, and given back before anything is drawn.
+  [[nodiscard]] std::vector<std::string> turned_sections() const;
+  void set_turned_sections(std::span<const std::string> paths);
   /// A button of the mouse is down, or a text is being typed: what changes belongs to one doing.
   [[nodiscard]] bool is_holding() const;
   [[nodiscard]] Modifiers modifiers() const;

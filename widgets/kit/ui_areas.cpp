@@ -8,7 +8,7 @@
 namespace nadir::kit {
 namespace {
 
-constexpr float kDragThreshold = 4.0F;
+constexpr float kAreaDragThreshold = 4.0F;
 
 Eigen::Vector2d on_page(const ImVec2& point, const ImRect& box) {
   return {static_cast<double>(point.x) - box.Min.x, static_cast<double>(box.Max.y) - point.y};
@@ -35,7 +35,8 @@ void Ui::Frame::follow_press(const ImRect& box, ImGuiID id, AreaInput& input) {
   const bool is_down = ImGui::IsMouseDown(button);
   const ImVec2 total(io.MousePos.x - press_now.start.x, io.MousePos.y - press_now.start.y);
   const bool was_drag = press_now.is_drag;
-  if (std::max(std::abs(total.x), std::abs(total.y)) >= kDragThreshold) press_now.is_drag = true;
+  if (std::max(std::abs(total.x), std::abs(total.y)) >= kAreaDragThreshold)
+    press_now.is_drag = true;
   if (press_now.is_drag) {
     AreaDrag drag;
     drag.button = press_now.button;
@@ -52,7 +53,7 @@ void Ui::Frame::follow_press(const ImRect& box, ImGuiID id, AreaInput& input) {
   if (!is_down) press_now = {};
 }
 
-AreaInput Ui::area(const std::string& name, const Eigen::Vector2d& size) {
+AreaInput Ui::area(const std::string& name, const Eigen::Vector2d& size, Wheel wheel) {
   Frame& frame = *frame_;
   const Rect left = room();
   const ImVec2 taken(narrow(size.x() > 0.0 ? size.x() : std::max(1.0, left.width)),
@@ -69,8 +70,10 @@ AreaInput Ui::area(const std::string& name, const Eigen::Vector2d& size) {
       ImGui::IsMousePosValid() ? on_page(io.MousePos, placed.box) : Eigen::Vector2d(-1.0, -1.0);
   input.modifiers = frame.state.input.modifiers;
   if (input.is_hovered) {
-    ImGui::SetItemUsingMouseWheel();
-    input.wheel = {io.MouseWheelH, io.MouseWheel};
+    if (wheel == Wheel::kOwn) {
+      ImGui::SetItemUsingMouseWheel();
+      input.wheel = {io.MouseWheelH, io.MouseWheel};
+    }
     frame.state.hovered_area = placed.id;
   } else if (frame.state.hovered_area == placed.id) {
     frame.state.hovered_area = 0;

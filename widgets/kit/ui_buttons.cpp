@@ -38,6 +38,10 @@ bool Ui::button(const std::string& label, ButtonLook look, const Hint& hint, Ico
       look == ButtonLook::kPrimary ? frame.state.fonts->semibold : frame.state.fonts->text;
   const float icon_width = icon == Icon::kNone ? 0.0F : frame.d(24);
   const float own = std::ceil(frame.text_size(words, font).x) + icon_width + 2.0F * frame.d(12);
+  if (frame.is_same_line && frame.next_width <= 0.0F && own > frame.room_width() + 0.5F) {
+    frame.is_same_line = false;  // it gets a line of its own rather than be cut
+    ImGui::NewLine();
+  }
   const Placed placed = frame.place(
       label, {frame.next_width > 0.0F ? frame.next_width : own, frame.d(28)}, frame.d(4));
   const Pressed pressed = frame.press(placed);
@@ -45,6 +49,7 @@ bool Ui::button(const std::string& label, ButtonLook look, const Hint& hint, Ico
   if (colours.fill != 0) frame.fill(placed.box, frame.shade(colours.fill));
   if (colours.border != 0) frame.frame(placed.box, frame.shade(colours.border));
   ImRect inside = placed.box;
+  bool is_whole = true;
   if (icon != Icon::kNone) {
     const float left =
         std::max(inside.Min.x + frame.d(4),
@@ -53,13 +58,15 @@ bool Ui::button(const std::string& label, ButtonLook look, const Hint& hint, Ico
                      frame.shade(colours.words));
     inside.Min.x = left + frame.d(28);
     inside.Max.x -= frame.d(4);
-    frame.write_in(inside, words, font, frame.shade(colours.words));
+    is_whole = frame.write_in(inside, words, font, frame.shade(colours.words));
   } else {
     inside.Expand({-std::min(frame.d(4), inside.GetWidth() / 4.0F), 0.0F});
-    frame.write_in(inside, words, font, frame.shade(colours.words), Align::kCentre);
+    is_whole = frame.write_in(inside, words, font, frame.shade(colours.words), Align::kCentre);
   }
   frame.note(ControlKind::kButton, label, placed.box);
-  frame.explain(hint);
+  Hint said = hint;
+  if (!is_whole && said.text.empty()) said.text = words;
+  frame.explain(said, !is_whole);
   return pressed.was_clicked;
 }
 

@@ -11,6 +11,31 @@ std::string item_at(std::span<const std::string> items, std::size_t index) {
   return index < items.size() ? Ui::Frame::shown(items[index]) : std::string();
 }
 
+constexpr double kTabHeight = 32.0;
+
+/// Where tabs lie, from the upper left corner of all: nearer to each other where they would not fit, and then in rows.
+std::vector<ImRect> tab_parts(const Ui::Frame& frame, std::span<const std::string> titles) {
+  std::vector<float> widths;
+  float natural = 0.0F;
+  for (const std::string& title : titles) {
+    widths.push_back(
+        std::ceil(frame.text_size(Ui::Frame::shown(title), frame.state.fonts->text).x));
+    natural += widths.back() + 2.0F * frame.d(10);
+  }
+  const float room = frame.room_width();
+  const float padding = natural <= room ? frame.d(10) : frame.d(6);
+  const float height = frame.d(kTabHeight);
+  std::vector<ImRect> parts;
+  ImVec2 at(0.0F, 0.0F);
+  for (const float words : widths) {
+    const float width = std::min(room, words + 2.0F * padding);
+    if (at.x > 0.0F && at.x + width > room) at = {0.0F, at.y + height};
+    parts.push_back({at, {at.x + width, at.y + height}});
+    at.x += width;
+  }
+  return parts;
+}
+
 }  // namespace
 
 std::optional<std::size_t> Ui::choice(const std::string& label,
@@ -166,22 +191,19 @@ std::optional<std::size_t> Ui::tabs(const std::string& name,
                                     std::size_t chosen) {
   Frame& frame = *frame_;
   const Look& colours = frame.state.look;
-  const float height = frame.d(32);
+  const std::vector<ImRect> parts = tab_parts(frame, titles);
+  const float height = parts.empty() ? frame.d(kTabHeight) : parts.back().Max.y;
   const Placed placed = frame.place(name, {frame.room_width(), height}, frame.d(8));
   const Scope inside = frame.push_scope(name, true);
-  frame.fill({{placed.box.Min.x, placed.box.Max.y - 1.0F}, placed.box.Max}, colours.line, 0.0);
+  for (float y = frame.d(kTabHeight); y <= height; y += frame.d(kTabHeight)) {
+    const float bottom = placed.box.Min.y + y;
+    frame.fill({{placed.box.Min.x, bottom - 1.0F}, {placed.box.Max.x, bottom}}, colours.line, 0.0);
+  }
   std::optional<std::size_t> clicked;
-  float natural = 0.0F;
-  for (const std::string& title : titles)
-    natural += frame.text_size(Frame::shown(title), frame.state.fonts->text).x + 2.0F * frame.d(10);
-  const float shrink = std::min(1.0F, placed.box.GetWidth() / std::max(1.0F, natural));
-  float left = placed.box.Min.x;
   for (std::size_t i = 0; i < titles.size(); ++i) {
     const std::string words = Frame::shown(titles[i]);
-    const float width = std::floor(
-        shrink * (frame.text_size(words, frame.state.fonts->text).x + 2.0F * frame.d(10)));
-    const ImRect part({left, placed.box.Min.y}, {left + width, placed.box.Max.y});
-    left += width;
+    ImRect part = parts[i];
+    part.Translate(placed.box.Min);
     const ImGuiID id = ImGui::GetCurrentWindow()->GetID(titles[i].c_str());
     frame.add_part(part, id);
     const Pressed pressed = frame.press(part, id);
@@ -196,7 +218,7 @@ std::optional<std::size_t> Ui::tabs(const std::string& name,
                        frame.shade(is_chosen || pressed.is_hovered ? colours.text : colours.muted),
                        Align::kCentre);
     frame.note(ControlKind::kTab, titles[i], part).is_selected = is_chosen;
-    if (!is_whole) frame.explain({words, ""});
+    if (!is_whole) frame.explain({words, ""}, true);
     if (pressed.was_clicked && !is_chosen) clicked = i;
   }
   return clicked;

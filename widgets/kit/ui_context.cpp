@@ -205,6 +205,8 @@ std::string UiContext::cursor_name() const {
   return cursor < 0 ? "none" : kNames.at(static_cast<std::size_t>(cursor));
 }
 
+bool UiContext::is_typing() const { return state_->draft.id != 0 && state_->draft.is_typing; }
+
 double UiContext::next_frame_within_s() const { return state_->next_frame_within_s; }
 
 std::string UiContext::clipboard() const {

@@ -47,6 +47,8 @@ class UiContext {
   /// The shape the mouse pointer should have now, of the last frame: "arrow", "text", "resize ew", "resize ns", "move",
   /// "hand", "not allowed", "none".
   [[nodiscard]] std::string cursor_name() const;
+  /// A text or a number takes what is typed in the next frame.
+  [[nodiscard]] bool is_typing() const;
   /// Something moves or blinks or will be shown after a delay: the next frame should come by itself within this many seconds;
   /// infinity where nothing changes without input.
   [[nodiscard]] double next_frame_within_s() const;

@@ -113,9 +113,10 @@ Placed Ui::Frame::place_labelled(const std::string& label, float height) {
   const float width = next_width > 0.0F ? next_width : room_width();
   const double wanted = label_widths.empty() ? -1.0 : label_widths.back();
   const float label_width =
-      words.empty()  ? 0.0F
-      : wanted < 0.0 ? narrow(std::min(kLabelShare * width, kMostLabelWidth * state.scale))
-                     : narrow(wanted);
+      words.empty() ? 0.0F
+      : wanted < 0.0
+          ? narrow(std::floor(std::min(kLabelShare * width, kMostLabelWidth * state.scale)))
+          : narrow(wanted);
   const bool is_above = !words.empty() && wanted == 0.0;
   const float above = is_above ? d(20) : 0.0F;
   shift_line_texts(height + above);
@@ -191,24 +192,6 @@ Control& Ui::Frame::note(ControlKind kind, const std::string& label, const ImRec
   if (is_disabled() && is_last_hovered && !disabled_reasons.back().empty())
     wish_tooltip(controls.back(), {});
   return controls.back();
-}
-
-void Ui::Frame::explain(const Hint& hint) {
-  NADIR_REQUIRE(!controls.empty());
-  Control& control = controls.back();
-  std::string words = hint.text;
-  if (!hint.unit.empty()) words += (words.empty() ? "" : " ") + ("[" + hint.unit + "]");
-  if (!hint.source.empty()) words += (words.empty() ? "" : ", ") + hint.source;
-  if (!hint.shortcut.empty()) words += (words.empty() ? "" : " ") + ("(" + hint.shortcut + ")");
-  if (is_disabled() && !disabled_reasons.back().empty())
-    words += (words.empty() ? "" : ". ") + disabled_reasons.back();
-  control.tooltip = words;
-  if (is_last_hovered && !words.empty()) wish_tooltip(control, hint);
-}
-
-void Ui::Frame::wish_tooltip(const Control& control, const Hint& hint) {
-  tooltip =
-      TooltipWish{control.path, hint, is_disabled() ? disabled_reasons.back() : std::string(), {}};
 }
 
 void Ui::Frame::write(const ImVec2& at,

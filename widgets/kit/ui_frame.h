@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,7 @@ struct TooltipWish {
   Hint hint;
   std::string because;             ///< Why the control is disabled.
   std::vector<std::string> lines;  ///< Of mouse_tooltip(), shown at once.
+  std::optional<ImVec2> place;     ///< None: beside the mouse.
 };
 
 struct UiContext::State {
@@ -90,6 +92,7 @@ struct UiContext::State {
   std::map<ImGuiID, int>
       last_drawn;  ///< Frame in which a text input that takes the focus was drawn.
   std::string clipboard;
+  std::set<std::string> turned_sections;  ///< Paths of those that are not as they are at first.
   std::unique_ptr<Ui> ui;
 };
 
@@ -178,8 +181,9 @@ struct Ui::Frame {
 
   /// Writes a control down; the returned one may be completed until the next.
   Control& note(ControlKind kind, const std::string& label, const ImRect& box);
-  /// Tooltip of the control noted last; also why it is disabled.
-  void explain(const Hint& hint);
+  /// Tooltip of the control noted last; also why it is disabled. What merely repeats the control's label is left out, unless
+  /// the label `was_cut`.
+  void explain(const Hint& hint, bool was_cut = false);
   void wish_tooltip(const Control& control, const Hint& hint);
   void show_tooltip();
 

@@ -17,6 +17,8 @@ bool Ui::Frame::type_draft(
   ImGuiContext& imgui = *ImGui::GetCurrentContext();
   // Somebody else was pressed in this frame, and drawn before; Dear ImGui would take the mouse away from that one.
   if (current.had_keyboard && imgui.ActiveId != id) return false;
+  // Where there is no room for the field, Dear ImGui draws none and would miss it; it goes on when there is some again.
+  if (imgui.CurrentWindow->SkipItems) return true;
   if (!current.had_keyboard) imgui.NavActivateId = imgui.NavActivateInputId = id;
   std::array<char, 4096> buffer = {};
   current.text.copy(buffer.data(), buffer.size() - 1);
@@ -48,6 +50,11 @@ TextEdit Ui::Frame::edit_text(const ImRect& box,
     takes_focus = is_new;
     seen->second = frame_count;
   }
+  const bool is_replaced = options.takes_focus_now && !is_disabled();
+  if (is_replaced) {
+    if (draft(id) != nullptr) end_draft();
+    takes_focus = true;
+  }
   const bool is_typing = draft(id) != nullptr;
   const Pressed pressed = is_typing ? Pressed{} : press(box, id, ImGuiButtonFlags_PressedOnClick);
   TextEdit edit;
@@ -72,9 +79,16 @@ TextEdit Ui::Frame::edit_text(const ImRect& box,
     const std::string before = current->text;
     const bool has_keyboard = type_draft(box, id, label, state.fonts->text,
                                          takes_focus ? ImGuiInputTextFlags_AutoSelectAll : 0);
+    ImGuiInputTextState& typing = ImGui::GetCurrentContext()->InputTextState;
+    if (is_replaced && typing.ID == id) {
+      typing.Stb.cursor = typing.Stb.select_start = typing.Stb.select_end = typing.CurLenW;
+    }
     edit.value = current->text;
     edit.is_changed = current->text != before;
     edit.is_editing = has_keyboard;
+    edit.wants_completion = has_keyboard && ImGui::IsKeyPressed(static_cast<int>(Key::kTab), false);
+    edit.went_back = has_keyboard && before.empty() &&
+                     ImGui::IsKeyPressed(static_cast<int>(Key::kBackspace), false);
     if (!has_keyboard) {
       edit.was_entered = ImGui::IsKeyPressed(static_cast<int>(Key::kEnter), false) ||
                          ImGui::IsKeyPressed(static_cast<int>(Key::kPadEnter), false);

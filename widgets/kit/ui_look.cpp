@@ -23,6 +23,11 @@ ImVec4 as_vector(std::uint32_t packed_colour) {
   return ImGui::ColorConvertU32ToFloat4(packed_colour);
 }
 
+/// As strong as on the ground half of it.
+std::uint32_t half_as_strong(std::uint32_t packed_colour) {
+  return (packed_colour & ~IM_COL32_A_MASK) | (std::uint32_t{140} << IM_COL32_A_SHIFT);
+}
+
 }  // namespace
 
 std::uint32_t packed(Rgba colour) {
@@ -104,7 +109,7 @@ void set_style(ImGuiStyle& style, const Look& look, double scale) {
                                        {ImGuiCol_FrameBg, look.raised},
                                        {ImGuiCol_FrameBgHovered, look.hovered},
                                        {ImGuiCol_FrameBgActive, look.held},
-                                       {ImGuiCol_ScrollbarGrab, look.line},
+                                       {ImGuiCol_ScrollbarGrab, half_as_strong(look.muted)},
                                        {ImGuiCol_ScrollbarGrabHovered, look.muted},
                                        {ImGuiCol_ScrollbarGrabActive, look.muted},
                                        {ImGuiCol_CheckMark, look.accent},

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/base/require.h"
@@ -46,6 +45,7 @@ Edit<double> Ui::Frame::finish_number(ImGuiID id, double value, Edit<double> edi
     edit.is_changed = edit.value != current->number;
     state.draft.number = edit.value;
     edit.is_editing = !is_done;
+    edit.was_ended = is_done;
     if (is_done) {
       edit.was_committed = edit.value != current->start_number;
       end_draft();
@@ -112,17 +112,27 @@ Edit<double> Ui::Frame::type_number(const ImRect& box,
                                     const NumberOptions& options) {
   Edit<double> edit;
   edit.value = draft(id)->number;
+  is_last_hovered = false;  // the tooltip of a text that is being typed says what is wrong with it
   if (type_draft(box, id, label, state.fonts->numbers, ImGuiInputTextFlags_AutoSelectAll)) {
     edit.is_editing = true;
-    frame(box, state.look.accent);
+    const std::string complaint = number_complaint(draft(id)->text, options);
+    frame(box, complaint.empty() ? state.look.accent : state.look.bad);
+    if (!complaint.empty())
+      tooltip = TooltipWish{label, {}, {}, {complaint}, ImVec2(box.Min.x, box.Max.y + d(4))};
     return edit;
   }
   const Draft& current = *draft(id);
   const bool was_escaped = ImGui::IsKeyPressed(static_cast<int>(Key::kEscape), false);
-  const auto read = was_escaped ? std::nullopt : read_number(current.text, options);
+  const auto read = was_escaped       ? std::nullopt
+                    : options.refuses ? read_number_within(current.text, options)
+                                      : read_number(current.text, options);
   edit.value = read.value_or(current.start_number);
+  if (!read && !was_escaped && options.refuses) edit.refused = current.text;
   // What was not touched is not rounded to its digits.
-  if (current.text == digits_text(current.start_number, options)) edit.value = current.start_number;
+  if (current.text == digits_text(current.start_number, options)) {
+    edit.value = current.start_number;
+    edit.refused.clear();
+  }
   state.focused_number = was_escaped ? 0 : id;
   return finish_number(id, value, edit, true);
 }
@@ -136,10 +146,14 @@ Edit<double> Ui::Frame::edit_number(const ImRect& box,
   if (const Draft* const current = draft(id); current != nullptr && current->is_typing)
     return type_number(box, id, label, value, options);
   if (const auto left = take_abandoned(id)) {
-    const double typed = left->text == digits_text(left->start_number, options)
-                             ? left->start_number
-                             : read_number(left->text, options).value_or(value);
-    return {typed, typed != value, false, typed != left->start_number, false};
+    const bool is_untouched = left->text == digits_text(left->start_number, options);
+    const auto read = options.refuses ? read_number_within(left->text, options)
+                                      : read_number(left->text, options);
+    const double typed = is_untouched ? left->start_number : read.value_or(value);
+    Edit<double> edit{typed, typed != value, false, typed != left->start_number, false};
+    edit.was_ended = true;
+    if (!is_untouched && !read && options.refuses) edit.refused = left->text;
+    return edit;
   }
   const Pressed pressed =
       press(box, id, ImGuiButtonFlags_PressedOnClick | ImGuiButtonFlags_PressedOnDoubleClick);
@@ -155,7 +169,7 @@ Edit<double> Ui::Frame::edit_number(const ImRect& box,
     if (ImGui::GetCurrentContext()->ActiveId == id) ImGui::ClearActiveID();
     Draft& begun = begin_draft(id);
     begun.number = begun.start_number = value;
-    begun.text = digits_text(value, options);
+    begun.text = options.refused.empty() ? digits_text(value, options) : options.refused;
     begun.is_typing = true;
     return type_number(box, id, label, value, options);
   }
@@ -186,9 +200,11 @@ Edit<double> Ui::Frame::edit_number(const ImRect& box,
   }
   if (pressed.is_hovered && !is_disabled()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   const Look& colours = state.look;
-  const bool is_focused = state.focused_number == id;
   fill(box, shade(pressed.is_hovered || pressed.is_held ? colours.hovered : colours.raised));
-  frame(box, shade(is_focused || pressed.is_held ? colours.accent : colours.line));
+  const bool is_refused = !options.refused.empty() && !edit.is_changed;
+  frame(box, shade(state.focused_number == id || pressed.is_held ? colours.accent
+                   : is_refused                                  ? colours.bad
+                                                                 : colours.line));
   ImRect inside = box;
   inside.Expand({-d(6), 0.0F});
   if (!options.unit.empty()) {
@@ -198,8 +214,8 @@ Edit<double> Ui::Frame::edit_number(const ImRect& box,
              options.unit, state.fonts->text, shade(colours.muted));
     inside.Max.x -= unit + d(4);
   }
-  write_in(inside, digits_text(edit.value, options), state.fonts->numbers, shade(colours.text),
-           Align::kRight);
+  write_in(inside, is_refused ? options.refused : digits_text(edit.value, options),
+           state.fonts->numbers, shade(is_refused ? colours.bad : colours.text), Align::kRight);
   return edit;
 }
 
@@ -216,7 +232,8 @@ Edit<double> Ui::number_input(const std::string& label,
   }
   Control& control = frame.note(ControlKind::kNumber, label, placed.field);
   control.label_rect = rect_of(placed.label);
-  control.value = digits_text(edit.value, options);
+  control.value = options.refused.empty() || edit.is_changed ? digits_text(edit.value, options)
+                                                             : options.refused;
   frame.is_last_hovered = frame.is_last_hovered || frame.is_label_hovered(placed);
   frame.explain(number_hint(options));
   return edit;
@@ -255,10 +272,14 @@ Edit<double> Ui::slider(const std::string& label, double value, const NumberOpti
   const Edit<double> typed = frame.edit_number(field, field_id, "value", dragged.value, options);
   Control& value_control = frame.note(ControlKind::kNumber, label + "/value", field);
   value_control.label = "value";
-  value_control.value = digits_text(typed.value, options);
+  value_control.value = options.refused.empty() || typed.is_changed
+                            ? digits_text(typed.value, options)
+                            : options.refused;
   frame.explain(number_hint(options));
   ImGui::PopID();
-  return dragged.is_changed || dragged.is_editing || dragged.was_committed ? dragged : typed;
+  return dragged.is_changed || dragged.is_editing || dragged.was_ended || dragged.was_committed
+             ? dragged
+             : typed;
 }
 
 Edit<double> Ui::small_slider(const std::string& name, double value, const NumberOptions& options) {
@@ -267,7 +288,7 @@ Edit<double> Ui::small_slider(const std::string& name, double value, const Numbe
   Frame& frame = *frame_;
   const float width = frame.next_width > 0.0F ? frame.next_width : frame.room_width();
   const Placed placed = frame.place(name, {width, frame.d(28)}, frame.d(4));
-  const Edit<double> edit = frame.drag_track(placed.box, placed.id, value, options);
+  Edit<double> edit = frame.drag_track(placed.box, placed.id, value, options);
   frame.note(ControlKind::kSlider, name, placed.box).value = digits_text(edit.value, options);
   Hint hint = number_hint(options);
   if (hint.text.empty()) hint.text = Frame::shown(name);

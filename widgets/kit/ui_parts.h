@@ -86,6 +86,9 @@ struct Edit {
   bool was_committed = false;
   bool was_reset =
       false;  ///< Committed by a double click on the label: `value` is then the default.
+  bool was_ended = false;  ///< Typing or dragging ended in this frame, whatever came of it.
+  std::string refused =
+      {};  ///< Typed into a number that `refuses`, and not taken; in the frame in which typing ended.
 };
 
 struct NumberOptions {
@@ -99,12 +102,18 @@ struct NumberOptions {
   std::optional<double>
       reset;  ///< What a double click on the label gives; a value that differs is marked.
   bool is_logarithmic = false;  ///< Of sliders with 0 < least.
+  bool refuses =
+      false;  ///< What is typed and is no number within the range is not brought into it but given back as `refused`.
+  std::string refused =
+      {};  ///< What was: shown in place of the value and marked; typing goes on from it.
   Hint hint = {};
 };
 
 struct TextOptions {
   std::string placeholder = {};  ///< In muted text while it is empty.
   bool takes_focus = false;      ///< In the first frame in which it shows; the palette's input.
+  bool takes_focus_now =
+      false;  ///< In this frame: the text given takes the place of what is typed, which goes on at its end.
   bool is_multiline = false;
   double width = 0.0;  ///< 0: all there is.
   Hint hint = {};
@@ -113,7 +122,9 @@ struct TextOptions {
 struct TextEdit : Edit<std::string> {
   bool was_entered =
       false;  ///< Enter was pressed in this frame; for searches and palettes also without a change.
-  bool was_cancelled = false;  ///< Escape was pressed in it; `value` is then what it was before.
+  bool was_cancelled = false;     ///< Escape was pressed in it; `value` is then what it was before.
+  bool wants_completion = false;  ///< Tab was pressed in it.
+  bool went_back = false;         ///< Backspace was pressed while it was empty.
 };
 
 struct Column {
@@ -154,6 +165,16 @@ struct MenuItem {
   bool is_checked = false;
   std::string disabled_because = {};  ///< Not empty: cannot be chosen, and its tooltip says this.
   std::string hint = {};
+};
+
+/// One of a column of icons that do something.
+struct Tool {
+  std::string name;
+  Icon icon = Icon::kNone;
+  Hint hint = {};  ///< With a text.
+  bool is_on = false;
+  std::string disabled_because = {};  ///< Not empty: cannot be used now.
+  bool begins_group = false;          ///< A thin line parts it from those above.
 };
 
 struct RegionStyle {
@@ -197,6 +218,9 @@ struct NoticeWish {
   Kind kind = Kind::kDismiss;
 };
 
+/// Whose the wheel is over an area: its own, or of what the area lies in, which scrolls.
+enum class Wheel { kOwn, kScrolls };
+
 /// A drag that began in an area and may have left it. Points as in AreaInput.
 struct AreaDrag {
   MouseButton button = MouseButton::kLeft;
@@ -214,11 +238,11 @@ struct AreaInput {
   Rect rect;                                        ///< Of the area in the window, y down.
   bool is_hovered = false;                          ///< Nothing else lies between it and the mouse.
   Eigen::Vector2d mouse = Eigen::Vector2d::Zero();  ///< Also outside of the area.
-  Eigen::Vector2d wheel =
-      Eigen::Vector2d::Zero();         ///< Notches, while hovered: right, away from the user.
-  std::optional<AreaDrag> drag;        ///< Begins after 4 pixels; a shorter one is a click.
-  std::optional<MouseButton> pressed;  ///< Went down in this frame.
-  std::optional<MouseButton> clicked;  ///< Let go where it was pressed, in this frame.
+  Eigen::Vector2d wheel = Eigen::Vector2d::
+      Zero();  ///< Notches, while hovered: right, away from the user; of Wheel::kOwn.
+  std::optional<AreaDrag> drag;               ///< Begins after 4 pixels; a shorter one is a click.
+  std::optional<MouseButton> pressed;         ///< Went down in this frame.
+  std::optional<MouseButton> clicked;         ///< Let go where it was pressed, in this frame.
   std::optional<MouseButton> double_clicked;  ///< The second click, which is in `clicked` too.
   Modifiers modifiers;
   [[nodiscard]] PageRect page() const { return {0.0, 0.0, rect.width, rect.height}; }

@@ -111,9 +111,13 @@ Overlay Ui::overlay(const std::string& name, const OverlayStyle& style) {
 }
 
 Scope Ui::scroll_area(const std::string& name, double height) {
-  Frame& frame = *frame_;
+  const Frame& frame = *frame_;
   ImGui::BeginChild(name.c_str(), {0.0F, narrow(height)}, false, ImGuiWindowFlags_NoNav);
-  (void)frame;
+  ImGuiWindow* const window = ImGui::GetCurrentWindow();
+  if (window->ScrollbarY) {  // content does not touch the bar
+    window->ContentRegionRect.Max.x -= frame.d(6);
+    window->WorkRect.Max.x -= frame.d(6);
+  }
   return {true, [] { ImGui::EndChild(); }};
 }
 
@@ -133,7 +137,7 @@ Edit<double> Ui::splitter(const std::string& name,
                    ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   bring_to_front();
-  const Edit<double> edit =
+  Edit<double> edit =
       frame.drag_splitter(name, box_of(rect), axis, size, least, most, grows_backwards);
   ImGui::End();
   return edit;

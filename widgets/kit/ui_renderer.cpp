@@ -16,25 +16,6 @@ namespace {
 
 constexpr std::uint64_t kFontPicture = 1;
 
-std::uint32_t upload(const Raster<Rgba>& pixels, bool is_smooth) {
-  GLint before = 0;
-  glGetIntegerv(GL_TEXTURE_BINDING_2D, &before);
-  GLuint texture = 0;
-  glGenTextures(1, &texture);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  const GLint filter = is_smooth ? GL_LINEAR : GL_NEAREST;
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, pixels.width(), pixels.height(), 0, GL_RGBA,
-               GL_UNSIGNED_BYTE, pixels.data());
-  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(before));
-  return texture;
-}
-
 /// A frame buffer with one colour texture.
 class Target {
  public:
@@ -85,34 +66,27 @@ UiRenderer::~UiRenderer() {
   if (ImGui::GetIO().BackendRendererUserData != nullptr) ImGui_ImplOpenGL3_Shutdown();
   context_.state().fonts->atlas().SetTexID(UiPictures::font_id());
   ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-  for (const auto& [picture, texture] : textures_) glDeleteTextures(1, &texture);
 }
 
 std::uint32_t UiRenderer::texture_of(std::uint64_t picture) {
   const UiContext::State& state = context_.state();
   if (picture == kFontPicture && fonts_ != state.fonts.get()) {
-    if (const auto old = textures_.find(picture); old != textures_.end()) {
-      glDeleteTextures(1, &old->second);
-      textures_.erase(old);
-    }
+    textures_.erase(picture);
     fonts_ = state.fonts.get();
   }
-  if (const auto there = textures_.find(picture); there != textures_.end()) return there->second;
+  if (const auto there = textures_.find(picture); there != textures_.end()) {
+    return there->second.texture();
+  }
+  if (picture == kFontPicture) return textures_[picture].show(state.fonts->pixels(), true);
   const auto& pictures = state.pictures.all();
   const auto found = pictures.find(picture);
-  if (picture != kFontPicture && found == pictures.end()) return 0;
-  const std::uint32_t made = picture == kFontPicture ? upload(state.fonts->pixels(), true)
-                                                     : upload(found->second.pixels, false);
-  textures_.emplace(picture, made);
-  return made;
+  return found == pictures.end() ? 0 : textures_[picture].show(found->second.pixels, false);
 }
 
 void UiRenderer::forget_unused() {
   const auto& pictures = context_.state().pictures.all();
   std::erase_if(textures_, [&pictures](const auto& entry) {
-    if (entry.first == kFontPicture || pictures.contains(entry.first)) return false;
-    glDeleteTextures(1, &entry.second);
-    return true;
+    return entry.first != kFontPicture && !pictures.contains(entry.first);
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "widgets/canvas/canvas.h"
+#include "widgets/gl/picture_texture.h"
 #include "widgets/kit/ui_context.h"
 
 namespace nadir::kit {
@@ -32,8 +33,8 @@ class UiRenderer {
   void forget_unused();
 
   UiContext& context_;
-  std::map<std::uint64_t, std::uint32_t> textures_;  ///< By the number of UiPictures.
-  const void* fonts_ = nullptr;                      ///< That texture 1 shows.
+  std::map<std::uint64_t, PictureTexture> textures_;  ///< By the number of UiPictures.
+  const void* fonts_ = nullptr;                       ///< That texture 1 shows.
 };
 
 }  // namespace nadir::kit

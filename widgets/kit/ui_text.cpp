@@ -62,7 +62,7 @@ void Ui::cut_text(const std::string& line, TextLook look, double reserve) {
   const bool is_whole = frame.write_in(placed.box, line, font, frame.shade(frame.colour(look)));
   frame.note(ControlKind::kText, line, placed.box).value = line;
   frame.keep_line_text(placed, first_vertex);
-  if (!is_whole) frame.explain({line, ""});
+  if (!is_whole) frame.explain({line, ""}, true);
 }
 
 void Ui::heading(const std::string& line) {

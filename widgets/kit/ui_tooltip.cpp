@@ -1,39 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "core/base/require.h"
 #include "widgets/kit/ui_canvas.h"
 #include "widgets/kit/ui_frame.h"
+#include "widgets/kit/wrapped_lines.h"
 
 namespace nadir::kit {
 namespace {
 
 constexpr double kDelayS = 0.45;
-constexpr double kWidth = 340.0;
+constexpr std::size_t kCharacters = 60, kCharactersMore = 12;  ///< Of a line.
 
-void write_words(const std::string& words, ImFont* font, ImU32 colour) {
+/// All words of tooltips are wrapped here. @returns characters of the last line.
+std::size_t write_words(const std::string& words, ImFont* font, ImU32 colour) {
   ImGui::PushFont(font);
   ImGui::PushStyleColor(ImGuiCol_Text, colour);
-  ImGui::TextUnformatted(words.c_str());
+  std::size_t last = 0;
+  for (const std::string& line : wrapped_lines(words, kCharacters)) {
+    ImGui::TextUnformatted(line.c_str());
+    last = character_count(line);
+  }
   ImGui::PopStyleColor();
   ImGui::PopFont();
+  return last;
 }
 
 void write_hint(const Ui::Frame& frame, const TooltipWish& wish) {
   const Look& look = frame.state.look;
   const FontSet& fonts = *frame.state.fonts;
   const Hint& hint = wish.hint;
-  const auto beside = [&frame] { ImGui::SameLine(0.0F, frame.d(8)); };
-  if (!hint.text.empty()) write_words(hint.text, fonts.text, look.text);
-  if (!hint.unit.empty()) {
-    if (!hint.text.empty()) beside();
-    write_words(hint.unit, fonts.text, look.muted);
+  std::size_t used = write_words(hint.text, fonts.text, look.text);
+  // Unit and keys stand behind the last line, and may end somewhat farther.
+  for (const std::string& words : {hint.unit, hint.shortcut}) {
+    if (words.empty()) continue;
+    const std::size_t length = character_count(words) + 2;
+    const bool is_beside = used > 0 && used + length <= kCharacters + kCharactersMore;
+    if (is_beside) ImGui::SameLine(0.0F, frame.d(8));
+    used = (is_beside ? used : 0) + length;
+    write_words(words, fonts.text, look.muted);
   }
-  if (!hint.shortcut.empty()) {
-    if (!hint.text.empty() || !hint.unit.empty()) beside();
-    write_words(hint.shortcut, fonts.text, look.muted);
-  }
-  if (!hint.source.empty()) write_words(hint.source, fonts.text, look.muted);
-  if (!wish.because.empty()) write_words(wish.because, fonts.text, look.warning);
+  write_words(hint.source, fonts.text, look.muted);
+  write_words(wish.because, fonts.text, look.warning);
 }
 
 std::string one_line(const TooltipWish& wish) {
@@ -52,7 +60,50 @@ std::string one_line(const TooltipWish& wish) {
   return all;
 }
 
+/// Without what ends it: "Open…" and "open" say the same.
+bool is_same_words(const std::string& first, const std::string& second) {
+  const auto bare = [](const std::string& words) {
+    std::string kept;
+    for (const char sign : words) {
+      if (sign >= 'A' && sign <= 'Z') kept += static_cast<char>(sign - 'A' + 'a');
+      if (sign >= 'a' && sign <= 'z') kept += sign;
+      if (sign >= '0' && sign <= '9') kept += sign;
+    }
+    return kept;
+  };
+  return !bare(first).empty() && bare(first) == bare(second);
+}
+
+/// Others have a name that only tests and scripts see.
+bool shows_label(ControlKind kind) {
+  return kind != ControlKind::kIconButton && kind != ControlKind::kEye &&
+         kind != ControlKind::kMenu && kind != ControlKind::kArea &&
+         kind != ControlKind::kSplitter && kind != ControlKind::kGrip;
+}
+
 }  // namespace
+
+void Ui::Frame::explain(const Hint& said, bool was_cut) {
+  NADIR_REQUIRE(!controls.empty());
+  Control& control = controls.back();
+  Hint hint = said;
+  if (!was_cut && shows_label(control.kind) && is_same_words(hint.text, control.label)) {
+    hint.text.clear();
+  }
+  std::string words = hint.text;
+  if (!hint.unit.empty()) words += (words.empty() ? "" : " ") + ("[" + hint.unit + "]");
+  if (!hint.source.empty()) words += (words.empty() ? "" : ", ") + hint.source;
+  if (!hint.shortcut.empty()) words += (words.empty() ? "" : " ") + ("(" + hint.shortcut + ")");
+  if (is_disabled() && !disabled_reasons.back().empty())
+    words += (words.empty() ? "" : ". ") + disabled_reasons.back();
+  control.tooltip = words;
+  if (is_last_hovered && !words.empty()) wish_tooltip(control, hint);
+}
+
+void Ui::Frame::wish_tooltip(const Control& control, const Hint& hint) {
+  tooltip = TooltipWish{
+      control.path, hint, is_disabled() ? disabled_reasons.back() : std::string(), {}, {}};
+}
 
 void Ui::Frame::show_tooltip() {
   state.tooltip.clear();
@@ -78,8 +129,8 @@ void Ui::Frame::show_tooltip() {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(d(10), d(7)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, d(4));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(d(8), d(2)));
+  if (tooltip->place) ImGui::SetNextWindowPos(*tooltip->place);
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(narrow(kWidth * state.scale));
   if (is_immediate) {
     for (std::size_t i = 0; i < tooltip->lines.size(); ++i) {
       write_words(tooltip->lines[i], i == 0 ? state.fonts->semibold : state.fonts->numbers,
@@ -88,14 +139,13 @@ void Ui::Frame::show_tooltip() {
   } else {
     write_hint(*this, *tooltip);
   }
-  ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
   ImGui::PopStyleVar(3);
   state.tooltip = one_line(*tooltip);
 }
 
 void Ui::mouse_tooltip(std::span<const std::string> lines) {
-  frame_->tooltip = TooltipWish{"mouse", {}, {}, {lines.begin(), lines.end()}};
+  frame_->tooltip = TooltipWish{"mouse", {}, {}, {lines.begin(), lines.end()}, {}};
 }
 
 void Ui::hint(const Hint& hint) { frame_->explain(hint); }

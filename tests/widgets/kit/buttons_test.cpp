@@ -4,7 +4,7 @@
 #include "widgets/kit/headless_ui.h"
 
 namespace nadir::kit {
-namespace {
+namespace buttons_test {
 
 TEST(Buttons, AreClickedByTheirPath) {
   HeadlessUi screen;
@@ -111,6 +111,30 @@ TEST(Buttons, HaveLinksAndTheRailAmongThem) {
   EXPECT_EQ(screen.context().cursor_name(), "hand");
 }
 
+TEST(Buttons, ThatHaveNoRoomBesideOthersBeginTheNextLine) {
+  for (const double width : {600.0, 200.0}) {
+    HeadlessUi screen(ThemeName::kDark, 1.0, {width, 300.0});
+    const auto draw = [](Ui& ui) {
+      (void)ui.button("Rerun from here", ButtonLook::kPrimary);
+      ui.same_line();
+      const bool was_clicked = ui.button("From the start");
+      (void)ui.button("Below");
+      return was_clicked;
+    };
+    EXPECT_TRUE(screen.click("From the start", draw));
+    const Rect first = screen.at("Rerun from here").rect;
+    const Rect second = screen.at("From the start").rect;
+    EXPECT_LE(second.right(), width - 12.0);
+    if (width > 500.0) {
+      EXPECT_EQ(second.top, first.top);
+    } else {
+      EXPECT_EQ(second.top, first.bottom() + 4.0);
+      EXPECT_EQ(second.left, first.left);
+    }
+    EXPECT_EQ(screen.at("Below").rect.top, second.bottom() + 4.0);
+  }
+}
+
 TEST(Checkboxes, SayWhatTheyShouldBecome) {
   HeadlessUi screen;
   bool is_on = false;
@@ -139,5 +163,5 @@ TEST(Eyes, OpenAndCloseAndSayWhatAClickDoes) {
   EXPECT_EQ(screen.at("Particles/Show").value, "off");
 }
 
-}  // namespace
+}  // namespace buttons_test
 }  // namespace nadir::kit

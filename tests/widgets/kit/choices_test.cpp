@@ -4,7 +4,7 @@
 #include "widgets/kit/headless_ui.h"
 
 namespace nadir::kit {
-namespace {
+namespace choices_test {
 
 const std::vector<std::string>& kinds() {
   static const std::vector<std::string> names = {"x-y", "yaw", "all"};
@@ -98,12 +98,21 @@ TEST(Tabs, GiveTheTabThatWasClickedAndDrawNothingElse) {
   EXPECT_EQ(screen.at("Side/yaw").kind, ControlKind::kTab);
 }
 
-TEST(Tabs, ThatAreTooManyForTheRoomAllFitAndTellTheirNames) {
+TEST(Tabs, ThatAreTooManyForOneRowFitIntoSeveral) {
   HeadlessUi screen(ThemeName::kLight, 1.0, {160.0, 300.0});
   const std::vector<std::string> titles = {"Measurements", "Comparisons", "Reconstruction"};
   screen.frame([&titles](Ui& ui) { (void)ui.tabs("Side", titles, 0); });
   EXPECT_LE(screen.at("Side/Reconstruction").rect.right(), 160.0 - 12.0 + 0.5);
-  EXPECT_EQ(screen.at("Side/Comparisons").tooltip, "Comparisons");
+  EXPECT_GT(screen.at("Side/Reconstruction").rect.top, screen.at("Side/Measurements").rect.top);
+  EXPECT_EQ(screen.at("Side/Comparisons").tooltip, "") << "nothing is cut";
+}
+
+TEST(Tabs, ThatAreWiderThanTheRoomAreCutAndTellTheirName) {
+  HeadlessUi screen(ThemeName::kLight, 1.0, {90.0, 300.0});
+  const std::vector<std::string> titles = {"Measurements of all runs", "Log"};
+  screen.frame([&titles](Ui& ui) { (void)ui.tabs("Side", titles, 0); });
+  EXPECT_LE(screen.at("Side/Measurements of all runs").rect.right(), 90.0 - 12.0 + 0.5);
+  EXPECT_EQ(screen.at("Side/Measurements of all runs").tooltip, "Measurements of all runs");
 }
 
 TEST(Colours, AreTypedAsHexadecimalDigits) {
@@ -143,5 +152,5 @@ TEST(Colours, OfOneDragOfASliderAreOneCommit) {
   EXPECT_EQ(colour.green, 100);
 }
 
-}  // namespace
+}  // namespace choices_test
 }  // namespace nadir::kit

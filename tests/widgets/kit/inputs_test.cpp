@@ -4,7 +4,7 @@
 #include "widgets/kit/headless_ui.h"
 
 namespace nadir::kit {
-namespace {
+namespace inputs_test {
 
 class Inputs : public testing::Test {
  protected:
@@ -51,6 +51,24 @@ TEST_F(Inputs, AreEmptiedToo) {
   options.placeholder = "a name";
   screen.type("Name", "", input());
   EXPECT_THAT(commits, testing::ElementsAre(""));
+}
+
+TEST_F(Inputs, WaitWhereThereIsNoRoomForThem) {
+  options.takes_focus = true;
+  text.clear();
+  double above = 2000.0;  // so that it lies out of sight
+  const auto draw = [&](Ui& ui) {
+    ui.space(above);
+    const auto area = ui.scroll_area("Area", 60.0);
+    take(ui.text_input("Name", text, options));
+  };
+  screen.wait(4, draw);
+  EXPECT_TRUE(commits.empty());
+  above = 0.0;
+  screen.wait(3, draw);
+  screen.type_here("loop", draw);
+  screen.press("Enter", draw);
+  EXPECT_THAT(commits, testing::ElementsAre("loop"));
 }
 
 TEST_F(Inputs, CommitWhenTheMouseClicksElsewhere) {
@@ -185,5 +203,5 @@ TEST(Grips, MoveTheirRowByWholeRows) {
   EXPECT_EQ(commits.size(), 2U);
 }
 
-}  // namespace
+}  // namespace inputs_test
 }  // namespace nadir::kit

@@ -4,7 +4,7 @@
 #include "widgets/kit/headless_ui.h"
 
 namespace nadir::kit {
-namespace {
+namespace tables_test {
 
 const std::vector<Column>& columns() {
   static const std::vector<Column> made = {
@@ -173,5 +173,34 @@ TEST(Sections, FoldAtAClickAndRememberIt) {
   EXPECT_EQ(screen.at("Options/Noise").value, "open") << "opened on the way";
 }
 
-}  // namespace
+TEST(Sections, CanBeFoundAsTheyWereLeftByAnotherWindow) {
+  const auto draw = [](Ui& ui) {
+    const auto scope = ui.scope("Options");
+    if (const auto section = ui.section("Noise", false)) ui.text("noisy");
+    if (const auto section = ui.section("Map")) ui.text("mapped");
+  };
+  HeadlessUi first;
+  first.click("Options/Noise", draw);
+  first.click("Options/Map", draw);
+  const auto turned = first.frame([&draw](Ui& ui) {
+    draw(ui);
+    return ui.turned_sections();
+  });
+  EXPECT_THAT(turned, testing::ElementsAre("Options/Map", "Options/Noise"));
+  HeadlessUi second;
+  second.frame([&](Ui& ui) {
+    ui.set_turned_sections(turned);
+    draw(ui);
+  });
+  EXPECT_EQ(second.at("Options/Noise").value, "open");
+  EXPECT_EQ(second.at("Options/Map").value, "closed");
+  second.click("Options/Map", draw);
+  EXPECT_THAT(second.frame([&draw](Ui& ui) {
+    draw(ui);
+    return ui.turned_sections();
+  }),
+              testing::ElementsAre("Options/Noise"));
+}
+
+}  // namespace tables_test
 }  // namespace nadir::kit
