@@ -60,10 +60,10 @@ void draw_caption(Canvas& canvas,
                   const PageFormat& format,
                   PageRect& panel,
                   const std::string& text) {
-  constexpr double kLeastPanelPt = 42.0;
+  constexpr double kLeastCaptionedPt = 42.0;
   constexpr double kLeastTextPt = 7.5;
   const double px = format.px_per_pt();
-  if (panel.height < kLeastPanelPt * px) return;
+  if (panel.height < kLeastCaptionedPt * px) return;
   TextStyle style = words_style(format, kCaptionTextPt, format.colours().text);
   const PageRect strip = take_top(panel, (kCaptionPt - 2.0) * px, 2.0 * px);
   // Somewhat smaller, and then cut, where it would reach into the next panel.

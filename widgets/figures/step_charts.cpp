@@ -37,7 +37,7 @@ LineSpec step_line(const FigureRun& run,
 }  // namespace
 
 ChartSpec nees_chart(const FigureRun& run, const Theme& theme) {
-  constexpr double kFreedom = 3.0;
+  const StepNeesBounds bounds = step_nees_bounds();
   const ErrorSeries series = error_series(run.judged);
   const std::vector<std::size_t> gaps = gaps_of(series);
   ChartSpec spec;
@@ -45,11 +45,9 @@ ChartSpec nees_chart(const FigureRun& run, const Theme& theme) {
   spec.y = {"NEES", 0.0, {}};
   spec.lines.push_back({"", broken_at(gaps, elapsed_of(run, series)), broken_at(gaps, series.nees),
                         theme.estimate, 1.0});
-  spec.levels.push_back(
-      {"95 % bounds of NEES", chi_square_quantile(0.975, kFreedom), theme.bad, true});
-  spec.levels.push_back(
-      {"95 % bounds of NEES", chi_square_quantile(0.025, kFreedom), theme.bad, true});
-  spec.levels.push_back({kExpected, kFreedom, theme.muted, false});
+  spec.levels.push_back({"95 % bounds of NEES", bounds.upper, theme.bad, true});
+  spec.levels.push_back({"95 % bounds of NEES", bounds.lower, theme.bad, true});
+  spec.levels.push_back({kExpected, 1.0 * bounds.degrees_of_freedom, theme.muted, false});
   return spec;
 }
 

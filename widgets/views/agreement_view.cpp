@@ -21,6 +21,8 @@ Rgba darkened(Rgba colour) {
 
 }  // namespace
 
+Rgba disagreement_stripe(const Theme& theme) { return darkened(theme.disagreement); }
+
 Rigid2 enu_from_topview_corner(const Rigid2& enu_from_body,
                                const TopviewRaster& raster,
                                double metres_per_cell) {
@@ -45,8 +47,7 @@ Raster<Rgba> agreement_picture(const SemanticTopview& seen,
         picture.at(column, row) = theme.agreement;
         break;
       case CellVerdict::kDisagrees:
-        picture.at(column, row) =
-            is_dark_stripe ? darkened(theme.disagreement) : theme.disagreement;
+        picture.at(column, row) = is_dark_stripe ? disagreement_stripe(theme) : theme.disagreement;
         break;
       case CellVerdict::kUnknown:
         picture.at(column, row) = theme.line;
@@ -68,13 +69,13 @@ std::vector<LegendEntry> agreement_legend(const CellAgreement& agreement, const 
   add("agrees", total.agreeing, theme.agreement, LegendEntry::Kind::kBar);
   add("disagrees", total.disagreeing, theme.disagreement, LegendEntry::Kind::kStripedBar);
   if (!entries.empty() && entries.back().kind == LegendEntry::Kind::kStripedBar) {
-    entries.back().casing = darkened(theme.disagreement);
+    entries.back().casing = disagreement_stripe(theme);
   }
   add("not known to the map", total.unknown, theme.line, LegendEntry::Kind::kBar);
   return entries;
 }
 
-AgreementView::AgreementView(MapScene& scene) : raster_(scene, MapLayer::kTopview) {
+AgreementView::AgreementView(MapScene& scene) : raster_(scene, MapLayer::kAgreement) {
   set_visible(true);
 }
 

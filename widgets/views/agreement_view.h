@@ -26,6 +26,9 @@ namespace nadir {
                                              const TopviewRaster& raster,
                                              const Theme& theme);
 
+/// Of the stripes across what disagrees.
+[[nodiscard]] Rgba disagreement_stripe(const Theme& theme);
+
 /// "agrees 812 cells (74 %)", "disagrees ...", "not known to the map ...": only those that there are; shares are of all
 /// cells that were seen.
 [[nodiscard]] std::vector<LegendEntry> agreement_legend(const CellAgreement& agreement,

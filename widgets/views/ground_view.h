@@ -22,6 +22,10 @@ class GroundView {
   [[nodiscard]] Result<void> show(const Eigen::AlignedBox2d& shown_in_enu_m, double metres_per_px);
   void set_opacity(double opacity);
   [[nodiscard]] const OverheadTiles& tiles() const { return tiles_; }
+  /// What is kept, at most, in main memory and as textures.
+  [[nodiscard]] std::size_t tile_bytes() const {
+    return shown_.size() * 2 * sizeof(Rgba) * kTileSide * kTileSide;
+  }
 
  private:
   /// Of the tiles of a level that touch the rectangle, the first and the one after the last, as column and row.

@@ -88,6 +88,36 @@ void draw_rings(Canvas& canvas,
   }
 }
 
+/// As ParticleView draws one that lies by itself.
+void draw_particle(Canvas& canvas,
+                   const LegendEntry& entry,
+                   const Eigen::Vector2d& at,
+                   double heading_px,
+                   Rgba colour,
+                   double px) {
+  constexpr double kSidePt = 2.6;
+  constexpr double kCasingPt = 0.8;
+  const std::array<Eigen::Vector2d, 2> tick = {at, at + Eigen::Vector2d(heading_px, 0.0)};
+  const auto square = [&](double side, Rgba of) {
+    fill_rect(canvas, at.x() - side / 2.0, at.y() - side / 2.0, side, side, of);
+  };
+  if (entry.casing.alpha > 0) {
+    if (heading_px > 0.0) canvas.stroke(tick, {entry.casing, (0.9 + 2.0 * kCasingPt) * px});
+    square((kSidePt + 2.0 * kCasingPt) * px, entry.casing);
+  }
+  if (heading_px > 0.0) canvas.stroke(tick, {colour, 0.9 * px});
+  square(kSidePt * px, colour);
+}
+
+void draw_ramp(Canvas& canvas, double left, double middle, double px) {
+  constexpr int kSteps = 8;
+  const double width = kSamplePt * px / kSteps;
+  for (int i = 0; i < kSteps; ++i) {
+    fill_rect(canvas, left + i * width, middle - 3.5 * px, width + 0.5, 7.0 * px,
+              value_colour(ValueColours::kViridis, (i + 0.5) / kSteps));
+  }
+}
+
 void draw_sample(Canvas& canvas, const LegendEntry& entry, double left, double middle, double px) {
   const std::array<Eigen::Vector2d, 2> line = {Eigen::Vector2d(left, middle),
                                                Eigen::Vector2d(left + kSamplePt * px, middle)};
@@ -125,6 +155,19 @@ void draw_sample(Canvas& canvas, const LegendEntry& entry, double left, double m
       break;
     case LegendEntry::Kind::kRings:
       draw_rings(canvas, entry, centre, px);
+      break;
+    case LegendEntry::Kind::kParticle:
+      draw_particle(canvas, entry, centre - Eigen::Vector2d(3.0 * px, 0.0), 7.0 * px, entry.colour,
+                    px);
+      break;
+    case LegendEntry::Kind::kParticles:
+      for (const double place : {-1.0, 0.0, 1.0}) {
+        draw_particle(canvas, entry, centre + Eigen::Vector2d(5.0 * place * px, 0.0), 0.0,
+                      value_colour(ValueColours::kViridis, 0.55 + 0.4 * place), px);
+      }
+      break;
+    case LegendEntry::Kind::kRamp:
+      draw_ramp(canvas, left, middle, px);
       break;
     case LegendEntry::Kind::kDot: {
       constexpr int kCorners = 24;

@@ -9,13 +9,26 @@
 
 namespace nadir {
 
-/// A name and the sample of what is drawn so: rings stand for ellipses, an outlined bar for an area as pale as the page.
+/// A name and the sample of what is drawn so: rings stand for ellipses, an outlined bar for an area as pale as the page,
+/// a particle is a dot with its heading, particles are three of them by weight, a ramp is viridis from dark to light.
 struct LegendEntry {
-  enum class Kind { kLine, kDashed, kBand, kBar, kDot, kStripedBar, kOutlinedBar, kRings };
+  enum class Kind {
+    kLine,
+    kDashed,
+    kBand,
+    kBar,
+    kDot,
+    kStripedBar,
+    kOutlinedBar,
+    kRings,
+    kParticle,
+    kParticles,
+    kRamp
+  };
   std::string name;
   Rgba colour;
   Kind kind = Kind::kLine;
-  /// Around a line that is drawn so; transparent: none. Of a striped bar, its stripes; of an outlined one, its outline.
+  /// Around a line or dot that is drawn so; transparent: none. Of a striped bar, its stripes; of an outlined one, its outline.
   Rgba casing{0, 0, 0, 0};
   friend bool operator==(const LegendEntry&, const LegendEntry&) = default;
 };

@@ -118,7 +118,8 @@ void draw_ellipses(Canvas& canvas,
                    const Eigen::Vector2d& centre_in_enu_m,
                    const Eigen::Matrix2d& covariance_m2,
                    std::span<const double> sigmas,
-                   const PathLook& look) {
+                   const PathLook& look,
+                   double outer_share) {
   if (!centre_in_enu_m.allFinite() || !covariance_m2.allFinite()) return;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance_m2);
   if (axes.info() != Eigen::Success || axes.eigenvalues().minCoeff() <= 0.0) return;
@@ -127,11 +128,14 @@ void draw_ellipses(Canvas& canvas,
   for (const double sigma : sigmas) {
     std::vector<Eigen::Vector2d> outline = circle({0.0, 0.0}, sigma);
     for (Eigen::Vector2d& point : outline) point = frame.page(centre_in_enu_m + shape * point);
-    if (sigma == innermost) canvas.fill(outline, with_opacity(look.colour, 0.15));
+    const double share = look.colour.alpha / 255.0;
+    if (sigma == innermost) canvas.fill(outline, with_opacity(look.colour, 0.15 * share));
     outline.push_back(outline.front());
     PathLook line = look;
-    if (sigma > innermost) line.colour = with_opacity(look.colour, 0.6);
-    if (sigma > innermost) line.casing = with_opacity(look.casing, 0.4 * look.casing.alpha / 255.0);
+    if (sigma > innermost) {
+      line.colour = with_opacity(look.colour, outer_share * share);
+      line.casing = with_opacity(look.casing, outer_share * 2.0 / 3.0 * look.casing.alpha / 255.0);
+    }
     stroke_cased(canvas, outline, line, frame.px_per_pt);
   }
 }

@@ -47,13 +47,14 @@ void draw_path_mark(Canvas& canvas,
 
 /// Outlines of the ellipses of a covariance of x and y (m^2, enu; its full shape, so turned as it is), at so many standard
 /// deviations each, from the outermost; the innermost is filled with 15 % of the colour. Nothing where the covariance is
-/// not positive definite.
+/// not positive definite. @param outer_share  Opacity of all but the innermost; their casings are two thirds of that.
 void draw_ellipses(Canvas& canvas,
                    const MapFrame& frame,
                    const Eigen::Vector2d& centre_in_enu_m,
                    const Eigen::Matrix2d& covariance_m2,
                    std::span<const double> sigmas,
-                   const PathLook& look);
+                   const PathLook& look,
+                   double outer_share = 0.6);
 
 /// An arrowhead at a pose that points along its heading, `size_pt` long.
 void draw_pose(Canvas& canvas,

@@ -11,13 +11,23 @@
 #include <cmath>
 
 namespace nadir {
+namespace {
+
+std::vector<int> numbers_of(std::span<const MapLayer> layers) {
+  std::vector<int> numbers;
+  numbers.reserve(layers.size());
+  for (const MapLayer layer : layers) numbers.push_back(static_cast<int>(layer));
+  return numbers;
+}
+
+}  // namespace
 
 MapScene::MapScene(const Eigen::Vector2d& scene_origin_in_enu_m)
     : scene_origin_in_enu_m_(scene_origin_in_enu_m) {
   set_background({0, 0, 0}, true);
   renderer_->GetActiveCamera()->ParallelProjectionOn();
   // VTK's own way with what is translucent mixes colours without regard to what lies on top; here it is blended in the
-  // order in which the views were made.
+  // order of the layers, and of the views of one as they were made.
   vtkNew<vtkRenderPassCollection> steps;
   vtkNew<vtkOpaquePass> opaque;
   vtkNew<vtkTranslucentPass> translucent;
@@ -41,6 +51,14 @@ void MapScene::add(vtkProp& prop, MapLayer layer) {
 }
 
 void MapScene::remove(vtkProp& prop) { order_.remove(*renderer_, prop); }
+
+void MapScene::set_order(std::span<const MapLayer> from_below) {
+  order_.set_order(*renderer_, numbers_of(from_below));
+}
+
+void MapScene::show_only(std::span<const MapLayer> layers) {
+  order_.show_only(*renderer_, numbers_of(layers));
+}
 
 void MapScene::set_background(Rgba colour, bool is_transparent) {
   renderer_->SetBackground(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);

@@ -5,6 +5,7 @@
 #include <vtkRenderer.h>
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "widgets/views/map_camera.h"
@@ -12,8 +13,16 @@
 
 namespace nadir {
 
-/// Height order of what lies on the ground, from below.
-enum class MapLayer { kPicture, kLabels, kReconstruction, kSurface, kTopview, kParticles };
+/// What lies on the ground, from below as long as set_order() does not say otherwise.
+enum class MapLayer {
+  kPicture,
+  kLabels,
+  kReconstruction,
+  kSurface,
+  kTopview,
+  kAgreement,
+  kParticles
+};
 
 /// How a map is looked at: the rectangle of pixels that the camera fills, and how large a point of 1/72 inch is on it.
 /// A page that is drawn larger and averaged is looked at in the larger pixels.
@@ -42,6 +51,12 @@ class MapScene {
   /// Puts a prop above what lies in lower layers and in its own, below the higher ones, whenever those were added.
   void add(vtkProp& prop, MapLayer layer);
   void remove(vtkProp& prop);
+  /// From now on layers lie in this order; those that it does not name lie below.
+  void set_order(std::span<const MapLayer> from_below);
+  /// Hides what is visible of other layers, until show_all(): a part of the map is drawn by itself. Views are not made,
+  /// changed or taken away in between.
+  void show_only(std::span<const MapLayer> layers);
+  void show_all() { order_.show_all(); }
   [[nodiscard]] bool holds_above(MapLayer layer) const {
     return order_.holds_above(static_cast<int>(layer));
   }

@@ -8,15 +8,22 @@
 #include "widgets/views/raster_pictures.h"
 
 namespace nadir {
-namespace {
 
-/// Tiles kept in memory: 192 of 512 x 512 RGBA pixels are 200 MB.
-constexpr std::size_t kMostTiles = 192;
+OverheadView::OverheadView(MapScene& scene,
+                           OverheadTiles tiles,
+                           OverheadTiles::Layer layer,
+                           std::shared_ptr<TileBudget> budget)
+    : scene_(scene),
+      tiles_(std::move(tiles)),
+      layer_(layer),
+      budget_(budget != nullptr ? std::move(budget) : std::make_shared<TileBudget>()) {
+  budget_->join(*this);
+}
 
-}  // namespace
-
-OverheadView::OverheadView(MapScene& scene, OverheadTiles tiles, OverheadTiles::Layer layer)
-    : scene_(scene), tiles_(std::move(tiles)), layer_(layer) {}
+OverheadView::~OverheadView() {
+  budget_->leave(*this);
+  for (const auto& [tile, shown] : shown_) budget_->gave_back(shown.bytes);
+}
 
 MapLayer OverheadView::map_layer() const {
   return layer_ == OverheadTiles::Layer::kPicture ? MapLayer::kPicture : MapLayer::kLabels;
@@ -85,6 +92,9 @@ Result<void> OverheadView::load(const TileAddress& tile) {
                                          tiles_.metres_per_cell() * cells[3] / pixels.height());
   Shown& shown = shown_[tile];
   shown.view = std::make_unique<RasterView>(scene_, map_layer());
+  shown.last_used = clock_;
+  shown.bytes = 2 * pixels.size() * sizeof(Rgba);  // and the texture
+  budget_->took(shown.bytes);
   // Tiles are drawn at half their size at least, but for the coarsest one.
   shown.view->show(pixels, {corner_m.x(), corner_m.y(), 0.0}, metres_per_pixel,
                    layer_ == OverheadTiles::Layer::kPicture,
@@ -92,6 +102,19 @@ Result<void> OverheadView::load(const TileAddress& tile) {
   shown.view->set_opacity(opacity_);
   shown.view->set_visible(false);
   return {};
+}
+
+std::optional<TileAddress> OverheadView::readable(TileAddress tile) const {
+  while (damaged_.count(tile) > 0) {
+    if (tile.level + 1 >= tiles_.level_count()) return std::nullopt;
+    tile = {tile.level + 1, tile.column / 2, tile.row / 2};
+  }
+  return tile;
+}
+
+bool OverheadView::is_to_come(const TileAddress& missing) const {
+  const auto tile = readable(missing);
+  return tile && shown_.count(*tile) == 0;
 }
 
 void OverheadView::show_stand_in(const TileAddress& missing) {
@@ -120,7 +143,7 @@ Result<bool> OverheadView::update(const MapCamera& camera,
                                   double width_px,
                                   double height_px,
                                   int most_new_tiles) {
-  ++clock_;
+  clock_ = budget_->next_moment();
   for (auto& [tile, shown] : shown_) shown.view->set_visible(false);
   if (!is_visible_) {
     stand_ins_.clear();
@@ -136,33 +159,51 @@ Result<bool> OverheadView::update(const MapCamera& camera,
   std::vector<TileAddress> missing =
       in_sight(camera, width_px, height_px, level_for(camera.metres_per_px));
   std::erase_if(missing, show_if_there);
-  std::vector<TileAddress> wanted = missing;
-  if (missing.size() > static_cast<std::size_t>(std::max(0, most_new_tiles))) {
+  std::vector<TileAddress> wanted;
+  for (const TileAddress& tile : missing) {
+    if (is_to_come(tile)) wanted.push_back(*readable(tile));
+  }
+  if (wanted.size() > static_cast<std::size_t>(std::max(0, most_new_tiles))) {
     const TileAddress whole_map{tiles_.level_count() - 1, 0, 0};
-    if (shown_.count(whole_map) == 0) wanted.insert(wanted.begin(), whole_map);
+    if (is_to_come(whole_map)) wanted.insert(wanted.begin(), whole_map);
     wanted.resize(std::min(wanted.size(), static_cast<std::size_t>(std::max(0, most_new_tiles))));
   }
+  std::optional<Error> first_fault;
   for (const TileAddress& tile : wanted) {
-    if (shown_.count(tile) > 0) continue;
-    if (auto loaded = load(tile); !loaded) return forward_error(loaded);
+    if (shown_.count(tile) > 0 || damaged_.count(tile) > 0) continue;
+    const auto loaded = load(tile);
+    if (loaded) continue;
+    if (damaged_.empty()) first_fault = loaded.error();
+    damaged_.insert(tile);
   }
   std::erase_if(missing, show_if_there);
   std::erase_if(stand_ins_, [&](const auto& stand_in) {
     return std::find(missing.begin(), missing.end(), stand_in.first) == missing.end();
   });
   for (const TileAddress& tile : missing) show_stand_in(tile);
-  forget_least_used();
-  return missing.empty();
+  budget_->keep();
+  if (first_fault) return tl::unexpected(*first_fault);
+  return std::none_of(missing.begin(), missing.end(),
+                      [this](const TileAddress& tile) { return is_to_come(tile); });
 }
 
-void OverheadView::forget_least_used() {
-  while (shown_.size() > kMostTiles) {
-    const auto oldest = std::min_element(
-        shown_.begin(), shown_.end(),
-        [](const auto& a, const auto& b) { return a.second.last_used < b.second.last_used; });
-    if (oldest->second.last_used == clock_) return;
-    shown_.erase(oldest);
-  }
+std::map<TileAddress, OverheadView::Shown>::const_iterator OverheadView::least_used() const {
+  return std::min_element(shown_.begin(), shown_.end(), [](const auto& a, const auto& b) {
+    return a.second.last_used < b.second.last_used;
+  });
+}
+
+std::uint64_t OverheadView::longest_unused() const {
+  const auto oldest = least_used();
+  if (oldest == shown_.end()) return TileBudget::kNever;
+  const bool is_shown = is_visible_ && oldest->second.last_used == clock_;
+  return is_shown ? TileBudget::kNever : oldest->second.last_used;
+}
+
+void OverheadView::forget_longest_unused() {
+  const auto oldest = least_used();
+  budget_->gave_back(oldest->second.bytes);
+  shown_.erase(oldest);
 }
 
 void OverheadView::set_opacity(double opacity) {
@@ -171,6 +212,11 @@ void OverheadView::set_opacity(double opacity) {
   for (auto& [tile, stand_in] : stand_ins_) stand_in.view->set_opacity(opacity);
 }
 
-void OverheadView::set_visible(bool visible) { is_visible_ = visible; }
+void OverheadView::set_visible(bool visible) {
+  is_visible_ = visible;
+  if (visible) return;  // update() shows them again
+  for (auto& [tile, shown] : shown_) shown.view->set_visible(false);
+  stand_ins_.clear();
+}
 
 }  // namespace nadir

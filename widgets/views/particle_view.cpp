@@ -27,7 +27,8 @@ constexpr double kMostWithTicks = 3.0;
 /// ... and before dots would hide the ground.
 constexpr double kMostOpaque = 8.0;
 constexpr double kLeastOpacity = 0.12;
-constexpr double kTickWidthPt = 0.45;
+/// The casing of a dense cloud is fainter still than its dots, which lie on it.
+constexpr double kCasingShare = 0.7;
 
 /// Points, cells and their colours of a shape that is being made.
 struct Shape {
@@ -82,6 +83,8 @@ ParticleView::ParticleView(MapScene& scene) : scene_(scene) {
     part.actor->ForceTranslucentOn();
     scene_.add(*part.actor, MapLayer::kParticles);
   };
+  for (Part& part : dot_casings_) prepare(part);
+  prepare(tick_casings_);
   prepare(ticks_);
   for (Part& part : dots_) prepare(part);
   scene_.attach(*this);
@@ -89,6 +92,8 @@ ParticleView::ParticleView(MapScene& scene) : scene_(scene) {
 
 ParticleView::~ParticleView() {
   scene_.detach(*this);
+  for (Part& part : dot_casings_) scene_.remove(*part.actor);
+  scene_.remove(*tick_casings_.actor);
   scene_.remove(*ticks_.actor);
   for (Part& part : dots_) scene_.remove(*part.actor);
 }
@@ -121,6 +126,12 @@ void ParticleView::show(const ParticleSet& particles, const ParticleLook& look) 
   ticks_.actor->Modified();
 }
 
+void ParticleView::set_look(const ParticleLook& look) {
+  if (look_ == look) return;
+  look_ = look;
+  if (sight_) rebuild(*sight_);
+}
+
 void ParticleView::adapt_to(const MapSight& sight) {
   if (sight_ == sight) return;
   sight_ = sight;
@@ -138,7 +149,9 @@ std::vector<std::size_t> ParticleView::chosen(const MapSight& sight) const {
   const Eigen::Vector2f right(up.y(), -up.x());
   const Eigen::Vector2d half_px =
       0.5 * Eigen::Vector2d(sight.width_px, sight.height_px) +
-      Eigen::Vector2d::Constant((look_.heading_pt + 2.5 * look_.size_pt) * sight.px_per_pt);
+      Eigen::Vector2d::Constant(
+          (look_.heading_pt + 2.5 * look_.size_pt + (has_casing() ? look_.casing_pt : 0.0)) *
+          sight.px_per_pt);
   const Eigen::Vector2f half = (half_px * sight.camera.metres_per_px).cast<float>();
   std::vector<std::size_t> seen;
   std::size_t heaviest = 0;
@@ -179,6 +192,20 @@ namespace {
 /// Colour of a particle whose weight is shown by it.
 Rgba weight_colour(float share) { return value_colour(ValueColours::kViridis, share); }
 
+void add_dot(Shape& shape, const Eigen::Vector2f& at, double z, Rgba colour) {
+  const vtkIdType id = shape.points->InsertNextPoint(at.x(), at.y(), z);
+  shape.cells->InsertNextCell(1, &id);
+  shape.add(colour);
+}
+
+void add_tick(
+    Shape& shape, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double z, Rgba colour) {
+  const std::array<vtkIdType, 2> ends = {shape.points->InsertNextPoint(from.x(), from.y(), z),
+                                         shape.points->InsertNextPoint(to.x(), to.y(), z)};
+  shape.cells->InsertNextCell(2, ends.data());
+  shape.add(colour);
+}
+
 void take(vtkPolyData& shape, const Shape& made, bool is_lines) {
   shape.Initialize();
   shape.SetPoints(made.points);
@@ -192,54 +219,75 @@ void take(vtkPolyData& shape, const Shape& made, bool is_lines) {
 
 }  // namespace
 
+Rgba ParticleView::casing_of(const Particle& particle, double opacity) const {
+  constexpr float kDarkShare = 0.45F;  // of viridis: darker than asphalt is light
+  const bool is_dark = look_.weight == ParticleLook::Weight::kColour &&
+                       particle.share < kDarkShare && look_.casing_of_dark.alpha > 0;
+  const Rgba casing = is_dark ? look_.casing_of_dark : look_.casing;
+  return with_opacity(casing, look_.opacity * opacity * casing.alpha / 255.0);
+}
+
 void ParticleView::draw_dots(const std::vector<std::size_t>& particles,
                              double opacity,
                              double px_per_pt) {
   const double z = scene_.scene_from_enu({0.0, 0.0}, MapLayer::kParticles).z();
   const bool is_by_size = look_.weight == ParticleLook::Weight::kSize;
+  const double casing_opacity = opacity * (opacity < 1.0 ? kCasingShare : 1.0);
   std::array<Shape, kSizes> made;
+  std::array<Shape, kSizes> casings;
   for (const std::size_t i : particles) {
     const Particle& particle = particles_[i];
     // The side of a dot grows as the root of the weight, so its area as the weight.
     const double side = std::sqrt(std::clamp(static_cast<double>(particle.share), 0.0, 1.0));
     const std::size_t size =
         is_by_size ? std::min(kSizes - 1, static_cast<std::size_t>(side * kSizes)) : 0;
-    Shape& shape = made.at(size);
-    const vtkIdType id =
-        shape.points->InsertNextPoint(particle.in_scene_m.x(), particle.in_scene_m.y(), z);
-    shape.cells->InsertNextCell(1, &id);
-    shape.add(with_opacity(is_by_size ? look_.colour : weight_colour(particle.share), opacity));
+    const Rgba colour = is_by_size ? look_.colour : weight_colour(particle.share);
+    add_dot(made.at(size), particle.in_scene_m, z, with_opacity(colour, look_.opacity * opacity));
+    if (has_casing()) {
+      add_dot(casings.at(size), particle.in_scene_m, z, casing_of(particle, casing_opacity));
+    }
   }
   for (std::size_t size = 0; size < kSizes; ++size) {
     take(*dots_.at(size).shape, made.at(size), false);
+    take(*dot_casings_.at(size).shape, casings.at(size), false);
     const double factor = is_by_size ? 2.5 * (static_cast<double>(size) + 1.0) / kSizes : 1.0;
-    dots_.at(size).actor->GetProperty()->SetPointSize(
-        static_cast<float>(std::max(1.0, factor * look_.size_pt * px_per_pt)));
+    const double side = std::max(1.0, factor * look_.size_pt * px_per_pt);
+    dots_.at(size).actor->GetProperty()->SetPointSize(static_cast<float>(side));
+    dot_casings_.at(size).actor->GetProperty()->SetPointSize(
+        static_cast<float>(side + 2.0 * look_.casing_pt * px_per_pt));
   }
 }
 
 void ParticleView::draw_ticks(const std::vector<std::size_t>& particles, const MapSight& sight) {
   const double z = scene_.scene_from_enu({0.0, 0.0}, MapLayer::kParticles).z();
   const double length_m = look_.heading_pt * sight.px_per_pt * sight.camera.metres_per_px;
+  const double beyond_m = look_.casing_pt * sight.px_per_pt * sight.camera.metres_per_px;
   Shape made;
+  Shape casings;
   for (const std::size_t i : particles) {
     const Particle& particle = particles_[i];
     const Eigen::Vector2d from = particle.in_scene_m.cast<double>();
     const double yaw_rad = particle.yaw_rad;
-    const Eigen::Vector2d to =
-        from + length_m * Eigen::Vector2d(std::cos(yaw_rad), std::sin(yaw_rad));
-    const std::array<vtkIdType, 2> ends = {made.points->InsertNextPoint(from.x(), from.y(), z),
-                                           made.points->InsertNextPoint(to.x(), to.y(), z)};
-    made.cells->InsertNextCell(2, ends.data());
-    made.add(look_.weight == ParticleLook::Weight::kSize ? look_.colour
-                                                         : weight_colour(particle.share));
+    const Eigen::Vector2d along(std::cos(yaw_rad), std::sin(yaw_rad));
+    const Rgba colour =
+        look_.weight == ParticleLook::Weight::kSize ? look_.colour : weight_colour(particle.share);
+    add_tick(made, from, from + length_m * along, z,
+             with_opacity(colour, look_.opacity * colour.alpha / 255.0));
+    if (has_casing()) {
+      add_tick(casings, from, from + (length_m + beyond_m) * along, z, casing_of(particle, 1.0));
+    }
   }
   take(*ticks_.shape, made, true);
-  ticks_.actor->GetProperty()->SetLineWidth(
-      static_cast<float>(std::max(1.0, kTickWidthPt * sight.px_per_pt)));
+  take(*tick_casings_.shape, casings, true);
+  const double width = std::max(1.0, look_.tick_width_pt * sight.px_per_pt);
+  ticks_.actor->GetProperty()->SetLineWidth(static_cast<float>(width));
+  tick_casings_.actor->GetProperty()->SetLineWidth(
+      static_cast<float>(width + 2.0 * look_.casing_pt * sight.px_per_pt));
 }
 
 void ParticleView::set_visible(bool visible) {
+  for (Part& part : dot_casings_) part.actor->SetVisibility(visible ? 1 : 0);
+  tick_casings_.actor->SetVisibility(visible ? 1 : 0);
   ticks_.actor->SetVisibility(visible ? 1 : 0);
   for (Part& part : dots_) part.actor->SetVisibility(visible ? 1 : 0);
 }

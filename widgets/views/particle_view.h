@@ -11,6 +11,7 @@
 
 #include "core/mcl/particle_set.h"
 #include "widgets/views/map_scene.h"
+#include "widgets/views/theme.h"
 
 namespace nadir {
 
@@ -20,13 +21,21 @@ struct ParticleLook {
   /// weigh the same their colour is that of kEqualShare.
   enum class Weight { kColour, kSize };
   /// Neither heavy nor light: where nothing is to be told apart, and the dot of a legend.
-  static constexpr double kEqualShare = 0.6;
+  static constexpr double kEqualShare = kEqualWeightShare;
   Weight weight = Weight::kColour;
   double size_pt =
       0.9;  ///< Side of a dot; where weight is size, of a heaviest one 2.5 times as much.
   Rgba colour{0x56, 0xB4, 0xE9};  ///< Of all dots where weight is size.
   double heading_pt = 6.0;        ///< Length of the tick along each heading; 0: none at any scale.
+  double tick_width_pt = 0.45;
+  /// Below dots and ticks, around each of them, so that they are seen on any ground; transparent: none.
+  Rgba casing{0, 0, 0, 0};
+  Rgba casing_of_dark{
+      0, 0, 0, 0};  ///< The same around those whose colour is dark; transparent: none of its own.
+  double casing_pt = 0.5;           ///< On each side.
+  double opacity = 1.0;             ///< Of all of it.
   std::size_t most_drawn = 20'000;  ///< Of more in sight every second, fourth, eighth ... is left.
+  friend bool operator==(const ParticleLook&, const ParticleLook&) = default;
 };
 
 /// Shows a particle set on the map, by level of detail: a million draws as fast as twenty thousand, for only those in sight
@@ -43,6 +52,8 @@ class ParticleView : public SightedView {
   /// Copies; call only when the particles changed. Particles whose pose or weight is not finite are left out. Nothing is
   /// drawn before the scene has been looked at.
   void show(const ParticleSet& particles, const ParticleLook& look = {});
+  /// The same particles in another way; what shows their weight stays.
+  void set_look(const ParticleLook& look);
   void set_visible(bool visible);
   void adapt_to(const MapSight& sight) override;
 
@@ -68,6 +79,8 @@ class ParticleView : public SightedView {
   void rebuild(const MapSight& sight);
   void draw_dots(const std::vector<std::size_t>& particles, double opacity, double px_per_pt);
   void draw_ticks(const std::vector<std::size_t>& particles, const MapSight& sight);
+  [[nodiscard]] bool has_casing() const { return look_.casing.alpha > 0; }
+  [[nodiscard]] Rgba casing_of(const Particle& particle, double opacity) const;
 
   MapScene& scene_;
   ParticleLook look_;
@@ -75,7 +88,9 @@ class ParticleView : public SightedView {
   std::optional<MapSight> sight_;  ///< That the shapes are made for.
   std::size_t drawn_ = 0;
   bool has_ticks_ = false;
-  Part ticks_;  ///< Below the dots.
+  // From below.
+  std::array<Part, kSizes> dot_casings_;
+  Part tick_casings_, ticks_;
   std::array<Part, kSizes> dots_;
 };
 

@@ -43,6 +43,8 @@ struct Theme {
 
 /// Colour maps whose lightness rises evenly, readable in greyscale and with every colour vision.
 enum class ValueColours { kViridis, kCividis };
+/// Where all weigh the same: neither heavy nor light.
+inline constexpr double kEqualWeightShare = 0.6;
 /// @param share  From 0 (darkest) to 1 (lightest); clamped, NaN gives transparent.
 [[nodiscard]] Rgba value_colour(ValueColours colours, double share);
 

@@ -6,7 +6,7 @@
 #include "tests/widgets/views/drawn_chart.h"
 
 namespace nadir {
-namespace {
+namespace legend_test {
 
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -63,5 +63,36 @@ TEST(Legend, DrawsNothingBelowItsStrip) {
   EXPECT_THAT(canvas.texts, IsEmpty());
 }
 
-}  // namespace
+TEST(Legend, ShowsAParticleAsADotWithItsHeadingAndCasing) {
+  const Rgba teal{30, 155, 138};
+  const Rgba dark{0, 0, 0};
+  const RecordingCanvas canvas = drawn({"particles", teal, LegendEntry::Kind::kParticle, dark});
+  ASSERT_THAT(canvas.fills_in(teal), SizeIs(1));
+  ASSERT_THAT(canvas.fills_in(dark), SizeIs(1));
+  const Eigen::AlignedBox2d dot = box_around(canvas.fills_in(teal)[0].outline);
+  EXPECT_TRUE(box_around(canvas.fills_in(dark)[0].outline).contains(dot));
+  ASSERT_THAT(canvas.strokes_in(teal), SizeIs(1));
+  EXPECT_GT(box_around(canvas.strokes_in(teal)[0].points).max().x(), dot.max().x());
+  EXPECT_THAT(canvas.strokes_in(dark), SizeIs(1));
+}
+
+TEST(Legend, ShowsWeightsFromDarkToLight) {
+  const RecordingCanvas canvas = drawn({"particles", {}, LegendEntry::Kind::kParticles});
+  ASSERT_THAT(canvas.fills, SizeIs(3));
+  for (std::size_t i = 1; i < 3; ++i) {
+    EXPECT_LT(box_around(canvas.fills[i - 1].outline).max().x(),
+              box_around(canvas.fills[i].outline).min().x());
+    EXPECT_LT(int{canvas.fills[i - 1].colour.green}, int{canvas.fills[i].colour.green});
+  }
+}
+
+TEST(Legend, ShowsAScaleFromDarkToLight) {
+  const RecordingCanvas canvas = drawn({"cost 0.9 to 0.1", {}, LegendEntry::Kind::kRamp});
+  ASSERT_GE(canvas.fills.size(), 6U);
+  EXPECT_LT(int{canvas.fills.front().colour.green}, 60);
+  EXPECT_GT(int{canvas.fills.back().colour.green}, 190);
+  EXPECT_LT(box_around(canvas.fills.back().outline).max().x(), canvas.texts.at(0).point.x());
+}
+
+}  // namespace legend_test
 }  // namespace nadir

@@ -3,13 +3,14 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <limits>
 #include <numbers>
 
 #include "tests/widgets/views/drawn_chart.h"
 
 namespace nadir {
-namespace {
+namespace map_overlays_test {
 
 constexpr PageRect kMap{60, 40, 400, 300};
 constexpr Rgba kLine{10, 20, 30};
@@ -71,6 +72,26 @@ TEST(Ellipses, LieAtTheirDeviationsWhereverTheCovarianceTurns) {
   }
 }
 
+TEST(Ellipses, OfAFadedLookAreFadedInEveryPart) {
+  constexpr std::array<double, 3> kSigmas = {3.0, 2.0, 1.0};
+  const auto drawn = [&](std::uint8_t alpha) {
+    PathLook look = cased();
+    look.colour.alpha = look.casing.alpha = alpha;
+    RecordingCanvas canvas;
+    draw_ellipses(canvas, frame(), {100, 50}, Eigen::Matrix2d::Identity(), kSigmas, look);
+    return canvas;
+  };
+  const RecordingCanvas full = drawn(255), half = drawn(128), none = drawn(0);
+  ASSERT_EQ(full.strokes.size(), 6U);  // a casing and a line each
+  ASSERT_EQ(half.strokes.size(), 6U);
+  for (std::size_t i = 0; i < full.strokes.size(); ++i) {
+    EXPECT_NEAR(half.strokes[i].style.colour.alpha, full.strokes[i].style.colour.alpha / 2.0, 1.0);
+  }
+  EXPECT_NEAR(half.fills.at(0).colour.alpha, full.fills.at(0).colour.alpha / 2.0, 1.0);
+  for (const auto& stroke : none.strokes) EXPECT_EQ(stroke.style.colour.alpha, 0);
+  EXPECT_EQ(none.fills.at(0).colour.alpha, 0);
+}
+
 TEST(Ellipses, OfNoCovarianceAreNotDrawn) {
   constexpr std::array<double, 1> kSigmas = {1.0};
   Eigen::Matrix2d flat;
@@ -125,5 +146,5 @@ TEST(Plate, HoldsItsWords) {
   EXPECT_LT(letters.max().y(), plate.top());
 }
 
-}  // namespace
+}  // namespace map_overlays_test
 }  // namespace nadir

@@ -11,7 +11,7 @@
 #include "tests/widgets/views/map_page.h"
 
 namespace nadir {
-namespace {
+namespace map_scene_test {
 
 /// A rectangle of ground of one colour, drawn with nothing but VTK.
 vtkNew<vtkActor> ground(const MapScene& scene,
@@ -120,6 +120,53 @@ TEST_F(Scene, LaysHigherLayersAboveLowerOnesInWhateverOrderTheyCome) {
   }
 }
 
+TEST_F(Scene, LaysLayersInAnotherOrderAlsoThoseThatComeLater) {
+  MapScene scene({0, 0});
+  const auto picture = ground(scene, {-20, -20, 40, 40}, kRed, MapLayer::kPicture);
+  const auto topview = ground(scene, {-10, -20, 20, 40}, kGreen, MapLayer::kTopview);
+  scene.add(*picture, MapLayer::kPicture);
+  scene.add(*topview, MapLayer::kTopview);
+  const auto drawn = [&] { return draw(scene, {{0, 0}, 1.0}, kWidth, kHeight); };
+  EXPECT_EQ(drawn().at(45, 30), kGreen);
+  scene.set_order(
+      std::array{MapLayer::kTopview, MapLayer::kParticles, MapLayer::kPicture, MapLayer::kLabels});
+  EXPECT_EQ(drawn().at(45, 30), kRed);
+  // What is made after the order was set, below and above.
+  const auto particles = ground(scene, {-5, -20, 10, 40}, kBlue, MapLayer::kParticles);
+  scene.add(*particles, MapLayer::kParticles);
+  EXPECT_EQ(drawn().at(45, 30), kRed);
+  const auto labels = ground(scene, {-2, -20, 4, 40}, kBlue, MapLayer::kLabels);
+  scene.add(*labels, MapLayer::kLabels);
+  EXPECT_EQ(drawn().at(45, 30), kBlue);
+  EXPECT_EQ(drawn().at(45 + 8, 30), kRed);
+  EXPECT_FALSE(scene.holds_above(MapLayer::kLabels));
+  EXPECT_TRUE(scene.holds_above(MapLayer::kParticles));
+  // What an order does not name lies below it.
+  scene.set_order(std::array{MapLayer::kTopview});
+  EXPECT_EQ(drawn().at(45, 30), kGreen);
+  for (const auto* actor : {&picture, &topview, &particles, &labels}) scene.remove(**actor);
+  EXPECT_EQ(drawn().at(45, 30), kNothing);
+}
+
+TEST_F(Scene, ShowsSomeLayersAloneAndHidesNothingForGood) {
+  MapScene scene({0, 0});
+  const auto picture = ground(scene, {-20, -20, 40, 40}, kRed, MapLayer::kPicture);
+  const auto topview = ground(scene, {-10, -10, 20, 20}, kGreen, MapLayer::kTopview);
+  const auto hidden = ground(scene, {-10, -10, 20, 20}, kBlue, MapLayer::kParticles);
+  scene.add(*picture, MapLayer::kPicture);
+  scene.add(*topview, MapLayer::kTopview);
+  scene.add(*hidden, MapLayer::kParticles);
+  hidden->VisibilityOff();
+  const auto drawn = [&] { return draw(scene, {{0, 0}, 1.0}, kWidth, kHeight); };
+  scene.show_only(std::array{MapLayer::kTopview, MapLayer::kParticles});
+  EXPECT_EQ(drawn().at(45, 30), kGreen);
+  EXPECT_EQ(drawn().at(45 + 15, 30), kNothing);
+  scene.show_all();
+  EXPECT_EQ(drawn().at(45, 30), kGreen) << "what was hidden before stays so";
+  EXPECT_EQ(drawn().at(45 + 15, 30), kRed);
+  for (const auto* actor : {&picture, &topview, &hidden}) scene.remove(**actor);
+}
+
 TEST_F(Scene, BlendsHalfTransparentLayersFromBelow) {
   MapScene scene({0, 0});
   const auto above = ground(scene, {-10, -10, 20, 20}, {0, 0, 255, 128}, MapLayer::kTopview);
@@ -159,5 +206,5 @@ TEST_F(Scene, HasTheBackgroundThatItIsGiven) {
   EXPECT_EQ(draw(scene, {}, kWidth, kHeight), Raster<Rgba>(kWidth, kHeight, kNothing));
 }
 
-}  // namespace
+}  // namespace map_scene_test
 }  // namespace nadir

@@ -3,7 +3,7 @@
 #include "tests/widgets/views/map_on_the_ground.h"
 
 namespace nadir {
-namespace {
+namespace overhead_view_pieces_test {
 
 TEST_F(MapOnTheGround, ComesPieceByPieceAndSaysSo) {
   OverheadView view(scene, tiles(Layer::kLabels), Layer::kLabels);
@@ -108,14 +108,18 @@ TEST_F(MapOnTheGround, ForgetsWhatItHasShownWhenThereIsTooMuch) {
   strip.labels.at(0, 0) = kTerrain;
   ASSERT_TRUE(write_overhead_map(strip, {}, std::nullopt, own.path() / "strip"));
   MapScene long_scene(strip.top_left_in_enu_m);
+  constexpr std::size_t kTileBytes = 2 * 512 * 4 * sizeof(Rgba);  // in main memory and as a texture
+  const auto budget = std::make_shared<TileBudget>(190 * kTileBytes);
   OverheadView view(long_scene, OverheadTiles::open(own.path() / "strip", Layer::kLabels).value(),
-                    Layer::kLabels);
+                    Layer::kLabels, budget);
   const auto camera_at = [&](int tile) {
     return MapCamera{strip.enu_from_overhead({512.0 * tile + 256.0, 2.0}), 0.1};
   };
   for (int tile = 0; tile < 200; ++tile) {
     ASSERT_TRUE(view.update(camera_at(tile), kWidth, kHeight, 1).value());
   }
+  EXPECT_LE(budget->used_bytes(), 190 * kTileBytes);
+  EXPECT_GT(budget->used_bytes(), 180 * kTileBytes);
   EXPECT_TRUE(view.update(camera_at(199), kWidth, kHeight, 0).value());  // still there
   EXPECT_TRUE(view.update(camera_at(20), kWidth, kHeight, 0).value());
   EXPECT_FALSE(view.update(camera_at(0), kWidth, kHeight, 0).value());  // gone
@@ -124,5 +128,27 @@ TEST_F(MapOnTheGround, ForgetsWhatItHasShownWhenThereIsTooMuch) {
             class_colour(kRoad));
 }
 
-}  // namespace
+TEST_F(MapOnTheGround, OfSeveralViewsShareOneBudget) {
+  const auto budget = std::make_shared<TileBudget>(0);  // nothing fits that is not shown
+  const MapCamera camera{map()->enu_from_overhead({512.1, 512.4}), 0.23};  // four tiles meet here
+  OverheadView labels(scene, tiles(Layer::kLabels), Layer::kLabels, budget);
+  update(labels, camera);
+  const std::size_t of_labels = budget->used_bytes();
+  EXPECT_GT(of_labels, 0U);
+  {
+    OverheadView picture(scene, tiles(Layer::kPicture), Layer::kPicture, budget);
+    update(picture, camera);
+    EXPECT_EQ(budget->used_bytes(), 2 * of_labels) << "both are shown: nothing can go";
+    labels.set_visible(false);
+    update(picture, camera);
+    EXPECT_EQ(budget->used_bytes(), of_labels) << "what is hidden makes room for what is not";
+  }
+  EXPECT_EQ(budget->used_bytes(), 0U);
+  labels.set_visible(true);
+  EXPECT_FALSE(labels.update(camera, kWidth, kHeight, 0).value()) << "its tiles are gone";
+  update(labels, camera);
+  expect_everywhere(draw(scene, camera, kWidth, kHeight), camera, label_at);
+}
+
+}  // namespace overhead_view_pieces_test
 }  // namespace nadir

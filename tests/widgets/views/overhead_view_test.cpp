@@ -7,7 +7,7 @@
 #include "tests/widgets/views/map_on_the_ground.h"
 
 namespace nadir {
-namespace {
+namespace overhead_view_test {
 
 TEST_F(MapOnTheGround, ShowsEachCellInItsPlaceAndColour) {
   OverheadView view(scene, tiles(Layer::kLabels), Layer::kLabels);
@@ -98,6 +98,7 @@ TEST_F(MapOnTheGround, IsHiddenAndShownAgain) {
   const MapCamera camera{map()->enu_from_overhead({200.3, 300.7}), 0.23};
   update(view, camera);
   view.set_visible(false);
+  EXPECT_EQ(draw(scene, camera, kWidth, kHeight), Raster<Rgba>(kWidth, kHeight, kNothing));
   EXPECT_TRUE(view.update(camera, kWidth, kHeight, 0).value());
   EXPECT_EQ(draw(scene, camera, kWidth, kHeight), Raster<Rgba>(kWidth, kHeight, kNothing));
   view.set_visible(true);
@@ -155,7 +156,35 @@ TEST_F(MapOnTheGround, SaysWhereItsFileIsDamaged) {
   ASSERT_FALSE(complete);
   EXPECT_EQ(error_code(complete), ErrorCode::kMalformed);
   EXPECT_THAT(error_text(complete), testing::StartsWith(path.string() + ": cannot be read at"));
+  // Once is enough, and what can be read is shown, with coarser tiles in place of those that cannot.
+  for (int i = 0; i < 3; ++i) {
+    const auto next = view.update(camera, 2000, 2000, kAnyNumber);
+    EXPECT_TRUE(next) << error_text(next);
+  }
+  EXPECT_TRUE(view.update(camera, 2000, 2000, 0).value()) << "nothing is tried again";
+  std::size_t clear = 0;
+  int exact_tiles = 0;
+  for (const Eigen::Vector2d& cell :
+       {Eigen::Vector2d(256, 256), Eigen::Vector2d(600, 256), Eigen::Vector2d(256, 768),
+        Eigen::Vector2d(600, 768), Eigen::Vector2d(256, 1060), Eigen::Vector2d(600, 1060)}) {
+    const MapCamera inside{map()->enu_from_overhead(cell), 0.2};
+    EXPECT_TRUE(view.update(inside, kWidth, kHeight, 0).value());
+    const Raster<Rgba> drawn = draw(scene, inside, kWidth, kHeight);
+    std::size_t wrong = 0;
+    for (int row = 0; row < kHeight; ++row) {
+      for (int column = 0; column < kWidth; ++column) {
+        const auto truth = label_at(
+            inside.enu_from_page(centre_of_pixel(drawn, column, row), {0, 0, kWidth, kHeight}));
+        clear += drawn.at(column, row).alpha == 0 ? 1U : 0U;
+        wrong += truth && *truth != drawn.at(column, row) ? 1U : 0U;
+      }
+    }
+    exact_tiles += wrong == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(clear, 0U) << "no holes";
+  EXPECT_GT(exact_tiles, 0);
+  EXPECT_LT(exact_tiles, 6) << "the file is damaged, after all";
 }
 
-}  // namespace
+}  // namespace overhead_view_test
 }  // namespace nadir

@@ -10,7 +10,7 @@
 #include "widgets/views/theme.h"
 
 namespace nadir {
-namespace {
+namespace particle_view_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -327,5 +327,58 @@ TEST_F(Particles, LookTheSameOnASmallAndALargePage) {
   EXPECT_NEAR(large_share / small_share, 1.0, 0.15);
 }
 
-}  // namespace
+TEST_F(Particles, HaveACasingAroundThemOnlyWhereOneIsAskedFor) {
+  ParticleView view(scene);
+  ParticleLook look;
+  look.size_pt = 3.0;
+  look.heading_pt = 10.0;
+  look.tick_width_pt = 1.0;
+  const ParticleSet one = set_of({{1000.0, 2000.0, 0.0}});
+  view.show(one, look);
+  const std::size_t plain = inked(drawn(sight(0.5))).size();
+  look.casing = {0, 0, 0, 255};
+  look.casing_pt = 1.0;
+  view.set_look(look);
+  const Raster<Rgba> cased = drawn(sight(0.5));
+  EXPECT_GT(inked(cased).size(), plain);
+  // The dot of 6 px keeps its colour; 2 px around it are the casing's.
+  EXPECT_EQ(cased.at(100, 100), value_colour(ValueColours::kViridis, kEqualWeightShare));
+  EXPECT_LT(int{cased.at(96, 100).green}, 10);
+  EXPECT_EQ(cased.at(96, 100).alpha, 255);
+  EXPECT_EQ(cased.at(93, 100).alpha, 0);
+  EXPECT_EQ(cased.at(118, 100), value_colour(ValueColours::kViridis, kEqualWeightShare))
+      << "the tick is cased too, and lies on it";
+  EXPECT_GT(int{cased.at(115, 98).alpha}, 100);
+  look.casing.alpha = 0;
+  view.set_look(look);
+  EXPECT_EQ(inked(drawn(sight(0.5))).size(), plain);
+}
+
+TEST_F(Particles, HaveALightCasingWhereTheyAreDark) {
+  ParticleView view(scene);
+  ParticleLook look;
+  look.size_pt = 3.0;
+  look.heading_pt = 0.0;
+  look.casing = {0, 0, 0, 255};
+  look.casing_of_dark = {255, 255, 255, 255};
+  look.casing_pt = 1.0;
+  view.show(set_of({{990.0, 2000.0, 0.0}, {1010.0, 2000.0, 0.0}}, {0.1, 0.9}), look);
+  const Raster<Rgba> page = drawn(sight(0.5));
+  EXPECT_GT(int{page.at(80, 96).green}, 245) << "the light one lies left";
+  EXPECT_LT(int{page.at(120, 96).green}, 10);
+}
+
+TEST_F(Particles, CanBeMadeFaintAllTogether) {
+  ParticleView view(scene);
+  ParticleLook look;
+  look.size_pt = 4.0;
+  look.casing = {0, 0, 0, 255};
+  view.show(set_of({{1000.0, 2000.0, 0.0}}), look);
+  EXPECT_EQ(drawn(sight(0.5)).at(100, 100).alpha, 255);
+  look.opacity = 0.0;
+  view.set_look(look);
+  EXPECT_TRUE(inked(drawn(sight(0.5))).empty());
+}
+
+}  // namespace particle_view_test
 }  // namespace nadir
