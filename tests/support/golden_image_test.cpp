@@ -13,10 +13,10 @@
 #include "core/base/random.h"
 #include "tests/support/page_pixels.h"
 #include "tests/support/scratch_folder.h"
-#include "widgets/canvas/png_file.h"
+#include "tests/support/small_png.h"
 
 namespace nadir {
-namespace {
+namespace golden_image_test {
 
 constexpr Rgba kOrange{230, 159, 0};
 constexpr Rgba kSky{86, 180, 233};
@@ -199,7 +199,7 @@ class GoldenImage : public ::testing::Test {
 
 TEST_F(GoldenImage, IsMadeByRewritingAndThenPasses) {
   keep(drawn_page());
-  EXPECT_EQ(bytes_of(places().goldens / "page.png"), encode_png(drawn_page()));
+  EXPECT_EQ(bytes_of(places().goldens / "page.png"), small_png(drawn_page()));
   expect_golden("page", drawn_page(), places());
   keep(drawn_page(2));
   expect_golden("page", drawn_page(2), places());
@@ -223,10 +223,9 @@ TEST_F(GoldenImage, ThatDiffersLeavesItsPicturesAndNamesThemWithTheDistance) {
                           fmt::format("page: has a structural distance of {:.4f} from its golden, "
                                       "and 0.02 is allowed",
                                       structural_distance(drawn_page(), drawn_page(3))));
-  EXPECT_EQ(bytes_left("actual"), encode_png(drawn_page(3)));
-  EXPECT_EQ(bytes_left("expected"), encode_png(drawn_page()));
-  EXPECT_EQ(bytes_left("difference"),
-            encode_png(amplified_difference(drawn_page(), drawn_page(3))));
+  EXPECT_EQ(bytes_left("actual"), small_png(drawn_page(3)));
+  EXPECT_EQ(bytes_left("expected"), small_png(drawn_page()));
+  EXPECT_EQ(bytes_left("difference"), small_png(amplified_difference(drawn_page(), drawn_page(3))));
   for (const char* what : {"actual", "expected", "difference"}) {
     EXPECT_NONFATAL_FAILURE(expect_golden("page", drawn_page(3), places()),
                             (places().leftovers / fmt::format("page-{}.png", what)).string());
@@ -251,7 +250,7 @@ TEST_F(GoldenImage, OfAnotherSizeFails) {
 TEST_F(GoldenImage, ThatIsMissingOrBrokenFailsAndSaysHowToMakeIt) {
   EXPECT_NONFATAL_FAILURE(expect_golden("page", drawn_page(), places()),
                           "page.png: there is no such golden; NADIR_UPDATE_GOLDEN=1 takes");
-  EXPECT_EQ(bytes_left("actual"), encode_png(drawn_page()));
+  EXPECT_EQ(bytes_left("actual"), small_png(drawn_page()));
   EXPECT_FALSE(std::filesystem::exists(places().leftovers / "page-expected.png"));
   EXPECT_FALSE(std::filesystem::exists(places().goldens));  // a failure makes none
   scratch_.file("golden/page.png", "no picture");
@@ -271,8 +270,8 @@ TEST_F(GoldenImage, LeavesTheGoldenAsItIsWhereThePixelsAreWithinTheTolerance) {
   Raster<Rgba> near = drawn_page();
   near.at(5, 5) = {254, 255, 255};
   expect_golden("page", near, places());
-  EXPECT_EQ(bytes_of(places().goldens / "page.png"), encode_png(drawn_page()));
+  EXPECT_EQ(bytes_of(places().goldens / "page.png"), small_png(drawn_page()));
 }
 
-}  // namespace
+}  // namespace golden_image_test
 }  // namespace nadir

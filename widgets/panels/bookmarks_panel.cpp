@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/session/session.h"
 #include "widgets/panels/empty_state.h"
+#include "widgets/panels/moment_kinds.h"
 #include "widgets/panels/shortcut_hint.h"
 #include "widgets/panels/time_axis.h"
 
@@ -21,39 +24,6 @@ bool is_at(double cursor_s, double moment_s) {
 
 /// One line for a list; the rest of a note of several lines is in its tooltip.
 std::string first_line(const std::string& note) { return note.substr(0, note.find('\n')); }
-
-kit::Icon icon_of(MomentKind kind) {
-  switch (kind) {
-    case MomentKind::kLargestError:
-      return kit::Icon::kChart;
-    case MomentKind::kOverConfident:
-      return kit::Icon::kWarning;
-    case MomentKind::kLowAgreement:
-      return kit::Icon::kLayers;
-    case MomentKind::kLost:
-      return kit::Icon::kError;
-    case MomentKind::kFound:
-      return kit::Icon::kCheck;
-    case MomentKind::kMissingData:
-      return kit::Icon::kClock;
-  }
-  return kit::Icon::kInfo;
-}
-
-kit::TextLook look_of(MomentKind kind) {
-  switch (kind) {
-    case MomentKind::kLargestError:
-    case MomentKind::kOverConfident:
-    case MomentKind::kLost:
-      return kit::TextLook::kBad;
-    case MomentKind::kLowAgreement:
-    case MomentKind::kMissingData:
-      return kit::TextLook::kWarning;
-    case MomentKind::kFound:
-      return kit::TextLook::kGood;
-  }
-  return kit::TextLook::kMuted;
-}
 
 void draw_new(kit::Ui& ui, BookmarksState& state, Actions& asked) {
   const double button = ui.px(28.0), gap = ui.px(4.0);
@@ -85,7 +55,7 @@ void draw_edited(
   if (typed.was_committed && typed.value != bookmark.note) {
     asked.emplace_back(actions::EditBookmark{number, typed.value});
   }
-  if (typed.was_committed || typed.was_entered || typed.was_cancelled) state.edited.reset();
+  if (!typed.is_editing) state.edited_s.reset();
 }
 
 void draw_bookmark(kit::Ui& ui,
@@ -96,7 +66,7 @@ void draw_bookmark(kit::Ui& ui,
   const Bookmark& bookmark = model.bookmarks[index];
   const int number = static_cast<int>(index) + 1;
   const std::string label = fmt::format("{}", number);
-  if (state.edited == index) {
+  if (state.edited_s == bookmark.time_s) {
     const auto scope = ui.scope(label);
     draw_edited(ui, bookmark, number, state, asked);
     return;
@@ -122,7 +92,7 @@ void draw_bookmark(kit::Ui& ui,
   const bool wants_remove =
       ui.icon_button("Remove", kit::Icon::kTrash, {"Take this bookmark away", ""});
   if (wants_edit || input.was_double_clicked) {
-    state.edited = index;
+    state.edited_s = bookmark.time_s;
   } else if (wants_remove) {
     asked.emplace_back(actions::RemoveBookmark{number});
   } else if (input.was_clicked) {
@@ -130,31 +100,58 @@ void draw_bookmark(kit::Ui& ui,
   }
 }
 
-void draw_moment(kit::Ui& ui, const BookmarksModel& model, std::size_t index, Actions& asked) {
+/// A row of the list: when, what and how much, the last at the right edge.
+void draw_moment(kit::Ui& ui,
+                 const BookmarksModel& model,
+                 std::size_t index,
+                 std::size_t row_number,
+                 Actions& asked) {
   const WorstMoment& moment = model.moments[index];
-  const auto scope = ui.scope(fmt::format("{}", index + 1));
+  const MomentValue value = index < model.values.size() ? model.values[index] : MomentValue{};
+  const MomentKindLook& look = moment_kind_look(moment.kind);
+  const auto scope = ui.scope(fmt::format("{}", row_number));
   const double inside = ui.room().width - ui.px(8.0);
   kit::ListRow row;
   row.is_selected = is_at(model.time_s, moment.time_s);
-  row.hint = {fmt::format("{}: {}", enum_name(moment.kind), moment.words), ""};
+  row.hint = {fmt::format("{}: {}", look.name, moment.words), "", "",
+              fmt::format("{}. {}", look.meaning, severity_words(moment.severity))};
   if (ui.list_row("##go", row).was_clicked) asked.emplace_back(actions::Seek{moment.time_s});
   ui.same_line(0.0);
   ui.right_align(inside);
-  ui.icon(icon_of(moment.kind), look_of(moment.kind));
-  ui.same_line(ui.px(10.0));
+  ui.icon(look.icon, look.look);
+  ui.same_line(ui.px(8.0));
   ui.text(clock_text(moment.time_s), kit::TextLook::kNumber);
   ui.same_line(ui.px(10.0));
-  ui.cut_text(moment.words);
+  const double gap = ui.px(4.0), edge = ui.px(8.0);
+  const double unit = value.unit.empty() ? 0.0 : gap + ui.text_width(value.unit);
+  const double digits = ui.text_width(value.digits, kit::TextLook::kNumber);
+  const double taken = digits + unit + edge;
+  // In a narrow panel the kind matters more than the number, which is in the tooltip.
+  const bool has_number = !value.digits.empty() && ui.room().width > taken + ui.px(32.0);
+  ui.cut_text(std::string(look.name), look.look, has_number ? taken + ui.px(8.0) : edge);
+  if (!has_number) return;
+  ui.same_line(0.0);
+  ui.right_align(taken);
+  ui.number(value.digits, value.unit);
 }
 
-void draw_moments(kit::Ui& ui, const BookmarksModel& model, Actions& asked) {
+void draw_moments(kit::Ui& ui, const BookmarksModel& model, BookmarksState& state, Actions& asked) {
   const auto section = ui.section("Worst moments", true, fmt::format("{}", model.moments.size()));
   if (!section) return;
   if (model.moments.empty()) {
     ui.wrapped("Nothing in this run asks for a look: no large error, no breach, no gap.",
                kit::TextLook::kMuted);
+    return;
   }
-  for (std::size_t i = 0; i < model.moments.size(); ++i) draw_moment(ui, model, i, asked);
+  static constexpr std::array<const char*, 2> kOrders = {"by severity", "by time"};
+  const std::array<std::string, 2> orders = {kOrders[0], kOrders[1]};
+  const auto chosen =
+      ui.choice("##Order", orders, state.is_by_time ? 1 : 0,
+                {"How they are sorted; severity is how many times its limit a moment is", ""});
+  if (chosen) state.is_by_time = *chosen == 1;
+  std::vector<std::size_t> order = by_severity(model.moments);
+  if (state.is_by_time) std::sort(order.begin(), order.end());
+  for (std::size_t i = 0; i < order.size(); ++i) draw_moment(ui, model, order[i], i + 1, asked);
 }
 
 }  // namespace
@@ -171,6 +168,10 @@ BookmarksModel bookmarks_model(const Session& session) {
   model.time_s = session.playback().time_s;
   model.bookmarks = run->bookmarks;
   model.moments = run->moments;
+  model.values.reserve(run->moments.size());
+  for (const WorstMoment& moment : run->moments) {
+    model.values.push_back(moment_value(*run->document, moment));
+  }
   return model;
 }
 
@@ -180,7 +181,12 @@ Actions draw_bookmarks(kit::Ui& ui, const BookmarksModel& model, BookmarksState&
   if (!model.has_run)
     return draw_empty_state(ui, no_run_state("its worst moments and your bookmarks"));
   Actions asked;
-  if (state.edited && *state.edited >= model.bookmarks.size()) state.edited.reset();
+  const auto is_edited = [&state](const Bookmark& bookmark) {
+    return state.edited_s == bookmark.time_s;
+  };
+  if (std::none_of(model.bookmarks.begin(), model.bookmarks.end(), is_edited)) {
+    state.edited_s.reset();
+  }
   draw_new(ui, state, asked);
   ui.space();
   const auto area = ui.scroll_area("Bookmarks area");
@@ -188,7 +194,7 @@ Actions draw_bookmarks(kit::Ui& ui, const BookmarksModel& model, BookmarksState&
     draw_bookmark(ui, model, i, state, asked);
   if (model.bookmarks.empty()) ui.text("No bookmarks yet", kit::TextLook::kMuted);
   ui.space();
-  draw_moments(ui, model, asked);
+  draw_moments(ui, model, state, asked);
   return asked;
 }
 

@@ -39,6 +39,14 @@ namespace {
   }
 }
 
+/// What asks for a command's arguments: of files the boxes, of all else the palette.
+[[nodiscard]] Overlay overlay_of(std::string_view begun) {
+  if (begun == "open") return Overlay::kOpen;
+  if (begun == "save-preset") return Overlay::kSaveRecipe;
+  const bool is_export = begun == "export" || begun == "export-table" || begun == "report";
+  return is_export ? Overlay::kExport : Overlay::kPalette;
+}
+
 [[nodiscard]] std::string quoted(const std::string& text) {
   std::string inside;
   for (const char c : text) {
@@ -63,9 +71,11 @@ Actions begin_command(const Command& command, PaletteState& palette) {
     if (auto action = parse_action(command.text)) return {std::move(*action)};
     return {};
   }
-  palette.begun = command.text;
+  const Overlay overlay = overlay_of(command.text);
+  const bool is_told_all = overlay == Overlay::kOpen || overlay == Overlay::kSaveRecipe;
+  palette.begun = is_told_all ? std::string_view() : command.text;
   palette.arguments.clear();
-  return {actions::ShowOverlay{Overlay::kPalette}};
+  return {actions::ShowOverlay{overlay}};
 }
 
 Result<Action> finish_command(const std::string& begun, const std::string& arguments) {

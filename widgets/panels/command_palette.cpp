@@ -52,7 +52,7 @@ struct PaletteRow {
       (takes_any_text(*help) ? as_typed : rows).push_back(std::move(row));
     }
   }
-  for (const Command* const command : matching_commands(typed)) {
+  for (const Command* const command : matching_commands(typed, model.recent_commands)) {
     const auto offered =
         std::find_if(model.commands.begin(), model.commands.end(),
                      [&](const OfferedCommand& one) { return one.command == command; });
@@ -62,6 +62,8 @@ struct PaletteRow {
     row.look.is_detail_number = true;
     row.look.hint = {std::string(command->title), std::string(command->shortcut)};
     if (const auto told = help_of(command->text)) row.look.hint.text = told->help;
+    const bool is_recent = typed.empty() && rows.size() < model.recent_commands.size();
+    if (is_recent) row.look.icon = kit::Icon::kClock;
     if (offered->is_on.value_or(false)) row.look.icon = kit::Icon::kCheck;
     if (!row.why_not.empty()) {
       row.look.look = kit::TextLook::kMuted;
@@ -95,13 +97,14 @@ struct PaletteRow {
 [[nodiscard]] Actions chosen(const PaletteRow& row, PaletteState& state) {
   if (!row.why_not.empty()) return {};
   if (row.action) return closed_for(*row.action);
+  state.chosen = row.command->text;
+  Actions asked = begin_command(*row.command, state);
   if (!row.command->is_whole) {
-    (void)begin_command(*row.command, state);
     state.highlighted = state.first_shown = 0;
     state.has_moved = false;
-    return {};
+    const auto* const shows = std::get_if<actions::ShowOverlay>(&asked.front());
+    return shows != nullptr && shows->overlay == Overlay::kPalette ? Actions{} : asked;
   }
-  Actions asked = begin_command(*row.command, state);
   asked.insert(asked.begin(), actions::ShowOverlay{Overlay::kNone});
   return asked;
 }
@@ -148,10 +151,10 @@ void move_highlight(const kit::Ui& ui, std::size_t count, PaletteState& state) {
                                   const CommandPaletteModel& model,
                                   PaletteState& state,
                                   bool& is_left) {
-  const kit::TextEdit edit =
-      ui.search_input("Command", state.typed,
-                      {.placeholder = "What would you like to do? Some letters of it are enough",
-                       .takes_focus = true});
+  const kit::TextEdit edit = ui.search_input(
+      "Command", state.typed,
+      {.placeholder = "What would you like to do? The beginnings of its words are enough",
+       .takes_focus = true});
   if (edit.value != state.typed) {
     state.typed = edit.value;
     state.highlighted = state.first_shown = 0;
@@ -220,6 +223,7 @@ CommandPaletteModel command_palette_model(const Session& session) {
   if (!model.is_open) return model;
   model.commands = offered_commands(session);
   model.recents.assign(session.recents().begin(), session.recents().end());
+  model.recent_commands.assign(session.recent_commands().begin(), session.recent_commands().end());
   model.layout_names = session.layout_names();
   model.home = home_folder();
   return model;

@@ -15,9 +15,10 @@ namespace nadir {
 struct CommandPaletteModel {
   bool is_open = false;
   std::vector<OfferedCommand> commands;
-  std::vector<std::string> recents;       ///< Paths, newest first; offered for "open".
-  std::vector<std::string> layout_names;  ///< Offered for "layout".
-  std::string home = {};                  ///< The user's, to be written '~'; may be empty.
+  std::vector<std::string> recents;               ///< Paths, newest first; offered for "open".
+  std::vector<std::string> recent_commands = {};  ///< Their words, newest first; they come first.
+  std::vector<std::string> layout_names;          ///< Offered for "layout".
+  std::string home = {};                          ///< The user's, to be written '~'; may be empty.
 };
 
 /// What is being typed into it. Kept by the caller; empties itself whenever the palette opens.
@@ -28,6 +29,8 @@ struct PaletteState {
   std::size_t highlighted = 0, first_shown = 0;  ///< Row that Enter takes, and uppermost row.
   bool has_moved = false;  ///< The arrows were used since something was typed.
   bool is_open = false;    ///< As in the last frame.
+  std::string chosen =
+      {};  ///< Command that was chosen in this frame, to be remembered by the caller.
 };
 
 [[nodiscard]] CommandPaletteModel command_palette_model(const Session& session);
@@ -37,7 +40,7 @@ struct PaletteState {
                                            const CommandPaletteModel& model,
                                            PaletteState& state);
 
-/// What choosing a command asks for: its action; where arguments are missing, the palette, which then asks for them.
+/// What choosing a command asks for: its action; where arguments are missing, the box or the palette that asks for them.
 [[nodiscard]] Actions begin_command(const Command& command, PaletteState& palette);
 
 /// The action that a begun command and the arguments typed make. A text with blanks needs no quotes where it is the only

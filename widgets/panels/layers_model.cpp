@@ -4,6 +4,7 @@
 
 #include "core/session/session.h"
 #include "widgets/panels/layers_panel.h"
+#include "widgets/panels/map_lines.h"
 
 namespace nadir {
 namespace {
@@ -13,7 +14,7 @@ struct Scene {
   const OpenRun* run = nullptr;
   const RunStep* step = nullptr;     ///< With particles and topview; null until decoded.
   const RunStep* summary = nullptr;  ///< The same without them; null without a run.
-  bool has_map = false, is_map_read = false, has_flight = false;
+  bool has_map = false, is_map_read = false, is_playing = false;
 };
 
 std::string why_no_map(const Scene& scene) {
@@ -40,10 +41,20 @@ std::string why_no_topview(const Scene& scene) {
   return scene.step->topview ? "" : "not recorded";
 }
 
+/// It is made from the topviews that the run has recorded up to now.
 std::string why_no_reconstruction(const Scene& scene) {
   if (std::string why = why_no_step(scene); !why.empty()) return why;
-  return scene.has_flight ? "" : "no flight";
+  const std::vector<RunStep>& steps = scene.run->document->steps;
+  const auto is_seen = [](const RunStep& step) { return step.topview_cells > 0; };
+  const bool is_unrecorded =
+      scene.step != nullptr && is_seen(*scene.summary) && !scene.step->topview;
+  if (is_unrecorded) return "not recorded";
+  if (std::any_of(steps.data(), scene.summary + 1, is_seen)) return "";
+  return std::any_of(steps.begin(), steps.end(), is_seen) ? "nothing seen yet" : "no topviews";
 }
+
+/// It takes too long for each step while a run plays.
+std::string why_no_surface(const Scene& scene) { return scene.is_playing ? "when paused" : ""; }
 
 std::string why_no_ellipses(const Scene& scene) {
   if (std::string why = why_no_step(scene); !why.empty()) return why;
@@ -59,13 +70,15 @@ std::string why_empty(Layer layer, const Scene& scene) {
   switch (layer) {
     case Layer::kPicture:
     case Layer::kLabels:
-    case Layer::kLegend:
       return why_no_map(scene);
+    case Layer::kLegend:
+      return scene.has_map || scene.run != nullptr ? "" : "no map";
     case Layer::kReconstruction:
       return why_no_reconstruction(scene);
     case Layer::kTopview:
       return why_no_topview(scene);
     case Layer::kErrorSurface:
+      return first_of(first_of(why_no_map(scene), why_no_topview(scene)), why_no_surface(scene));
     case Layer::kDisagreement:
       return first_of(why_no_map(scene), why_no_topview(scene));
     case Layer::kParticles:
@@ -99,11 +112,16 @@ LayersModel layers_model(const Session& session) {
   }
   scene.has_map = session.map() != nullptr;
   scene.is_map_read = scene.has_map && session.map()->index != nullptr;
-  scene.has_flight = session.flight() != nullptr;
+  scene.is_playing = session.playback().is_playing;
 
   LayersModel model;
   const MapLook& look = session.view().map;
   model.topview_at = look.topview_at;
+  model.is_on_picture = has_ground_picture(look, scene.is_map_read);
+  if (const int active = session.view().active_run; active > 0) {
+    const RunLook& run = session.view().runs[static_cast<std::size_t>(active - 1)];
+    model.run_colour = static_cast<std::size_t>(std::max(0, run.colour));
+  }
   for (auto layer = look.order.rbegin(); layer != look.order.rend(); ++layer) {
     model.rows.push_back({*layer, look.layer(*layer), why_empty(*layer, scene)});
   }

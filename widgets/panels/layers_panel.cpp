@@ -13,7 +13,7 @@ namespace {
 // Of the design.
 constexpr double kRowHeight = 28.0;
 constexpr double kNameWidth = 96.0;
-constexpr double kSliderWidth = 64.0, kSwatchWidth = 22.0;
+constexpr double kSliderWidth = 64.0, kLeastSlider = 32.0, kSwatchWidth = 22.0;
 constexpr double kPercentOfLayer = 100.0;
 
 constexpr std::array<std::string_view, kLayerCount> kTitles = {
@@ -30,28 +30,14 @@ constexpr std::array<std::string_view, kLayerCount> kHelps = {
     "What the filter holds possible, coloured by weight",
     "Where dead reckoning alone would have gone",
     "Where the vehicle was",
-    "Where the filter believes it was",
-    "One and three sigmas of the estimate's position",
+    "Where the filter believes it was; arrows at the poses of now always lie on top",
+    "One, two and three sigmas of the estimate's position; of other runs one and three",
     "Clusters of the particles with their share",
-    "Lines of latitude and longitude",
-    "What the colours mean"};
+    "Lines of equal east and north, in metres",
+    "What the colours mean; it always lies on top"};
 
-/// What the theme gives a layer's lines over a picture.
-Rgba theme_colour(Layer layer, const Theme& theme) {
-  switch (layer) {
-    case Layer::kOdometry:
-      return theme.odometry_on_imagery;
-    case Layer::kTruth:
-      return theme.truth_on_imagery;
-    case Layer::kGraticule:
-      return theme.muted;
-    default:
-      return theme.estimate_on_imagery;
-  }
-}
-
-Rgba layer_colour(const LayersModel::Row& row, const Theme& theme) {
-  const Rgba usual = theme_colour(row.layer, theme);
+Rgba layer_colour(const LayersModel& model, const LayersModel::Row& row, const Theme& theme) {
+  const Rgba usual = usual_line_colour(row.layer, model, theme);
   if (!row.look.colour || row.look.colour->size() != 7) return usual;
   std::uint32_t value = 0;
   const char* const end = row.look.colour->data() + 7;
@@ -65,9 +51,12 @@ std::string hex_text(Rgba colour) {
   return fmt::format("#{:02X}{:02X}{:02X}", colour.red, colour.green, colour.blue);
 }
 
-void draw_colour(kit::Ui& ui, const LayersModel::Row& row, Actions& asked) {
+void draw_colour(kit::Ui& ui,
+                 const LayersModel& model,
+                 const LayersModel::Row& row,
+                 Actions& asked) {
   const auto edit =
-      ui.colour("##colour", layer_colour(row, ui.theme()), {"Colour of its lines", ""});
+      ui.colour("##colour", layer_colour(model, row, ui.theme()), {"Colour of its lines", ""});
   if (edit.is_changed || edit.was_committed) {
     asked.emplace_back(actions::SetLayerColour{row.layer, hex_text(edit.value)});
   }
@@ -80,27 +69,50 @@ void draw_colour(kit::Ui& ui, const LayersModel::Row& row, Actions& asked) {
   }
 }
 
-void draw_opacity(kit::Ui& ui, const LayersModel::Row& row, Actions& asked) {
+void draw_opacity(kit::Ui& ui, const LayersModel::Row& row, double width, Actions& asked) {
   kit::NumberOptions options;
   options.least = 0.0;
   options.most = 1.0;
   options.reset = 1.0;
   options.hint = {fmt::format("Opacity {:.0f} %", row.look.opacity * kPercentOfLayer), ""};
-  ui.next_width(ui.px(kSliderWidth));
+  ui.next_width(width);
   const auto edit = ui.small_slider("opacity", row.look.opacity, options);
   if (edit.is_changed || edit.was_committed)
     asked.emplace_back(actions::SetLayerOpacity{row.layer, edit.value});
+}
+
+/// Up and down the list, for those who do not drag. The legend, which is the first row, stays there.
+void draw_order_menu(kit::Ui& ui, const LayersModel& model, std::size_t place, Actions& asked) {
+  const auto menu = ui.context_menu("order");
+  if (!menu) return;
+  const Layer layer = model.rows[place].layer;
+  const auto last = static_cast<int>(model.rows.size()) - 1;
+  const auto here = static_cast<int>(place);
+  const auto item = [&](const std::string& label, int places, const std::string& why_not) {
+    kit::MenuItem look;
+    if (places == 0) look.disabled_because = why_not;
+    if (layer == Layer::kLegend) look.disabled_because = "The legend always lies on top";
+    if (ui.menu_item(label, look)) asked.emplace_back(actions::MoveLayer{layer, places});
+  };
+  item("Raise", here > 1 ? 1 : 0, "It is the uppermost");
+  item("Lower", here < last ? -1 : 0, "It is the lowest");
+  ui.menu_line();
+  item("To the top", std::max(0, here - 1), "It is the uppermost");
+  item("To the ground", here - last, "It is the lowest");
 }
 
 void draw_layer_row(kit::Ui& ui, const LayersModel& model, std::size_t place, Actions& asked) {
   const LayersModel::Row& row = model.rows[place];
   const std::string name(enum_name(row.layer));
   const auto scope = ui.scope(name);
-  const auto grip = ui.grip("grip", place, model.rows.size(), ui.px(kRowHeight));
-  if (grip.was_committed && grip.value != place) {
-    // The first row is the top of the map: up the list is up there.
-    asked.emplace_back(
-        actions::MoveLayer{row.layer, static_cast<int>(place) - static_cast<int>(grip.value)});
+  {
+    const auto fixed = ui.disabled(row.layer == Layer::kLegend, "The legend always lies on top");
+    const auto grip = ui.grip("grip", place, model.rows.size(), ui.px(kRowHeight));
+    if (grip.was_committed && grip.value != place) {
+      // The first row is the top of the map: up the list is up there.
+      asked.emplace_back(
+          actions::MoveLayer{row.layer, static_cast<int>(place) - static_cast<int>(grip.value)});
+    }
   }
   ui.same_line(ui.px(2.0));
   const bool shows = row.look.is_visible;
@@ -112,6 +124,8 @@ void draw_layer_row(kit::Ui& ui, const LayersModel& model, std::size_t place, Ac
   const bool is_empty = !row.why_empty.empty();
   ui.text(title, is_empty || !shows ? kit::TextLook::kMuted : kit::TextLook::kNormal);
   ui.hint({std::string(kHelps.at(static_cast<std::size_t>(row.layer))), ""});
+  draw_order_menu(ui, model, place, asked);
+  if (row.layer == Layer::kLegend && !is_empty) return;  // it is there or not
   ui.same_line();
   if (is_empty) {
     const double width = ui.text_width(row.why_empty, kit::TextLook::kMuted);
@@ -122,14 +136,23 @@ void draw_layer_row(kit::Ui& ui, const LayersModel& model, std::size_t place, Ac
   }
   const bool has_colour = has_line_colour(row.layer);
   const double gap = ui.px(8.0);
-  ui.right_align(ui.px(kSliderWidth) + (has_colour ? ui.px(kSwatchWidth) + gap : 0.0));
-  if (has_colour) {
+  // In a narrow panel the slider gives way to the name, and then the colour.
+  const double room = ui.room().width;
+  const double swatch = ui.px(kSwatchWidth);
+  const bool shows_colour = has_colour && room >= swatch;
+  const double beside = shows_colour ? swatch + gap : 0.0;
+  const double slider = std::min(ui.px(kSliderWidth), room - beside);
+  const bool shows_slider = slider >= ui.px(kLeastSlider);
+  if (!shows_colour && !shows_slider) return ui.space(0.0);
+  ui.right_align(shows_slider ? beside + slider : swatch);
+  if (shows_colour) {
     const auto no_label = ui.label_width(0.0);
-    ui.next_width(ui.px(kSwatchWidth));
-    draw_colour(ui, row, asked);
+    ui.next_width(swatch);
+    draw_colour(ui, model, row, asked);
+    if (!shows_slider) return;
     ui.same_line(gap);
   }
-  draw_opacity(ui, row, asked);
+  draw_opacity(ui, row, slider, asked);
 }
 
 /// Three letters and "%" at most: "37 %", "4.2 %".
@@ -167,6 +190,20 @@ std::string_view layer_title(Layer layer) { return kTitles.at(static_cast<std::s
 bool has_line_colour(Layer layer) {
   return layer == Layer::kOdometry || layer == Layer::kTruth || layer == Layer::kEstimate ||
          layer == Layer::kEllipses || layer == Layer::kGraticule;
+}
+
+Rgba usual_line_colour(Layer layer, const LayersModel& model, const Theme& theme) {
+  switch (layer) {
+    case Layer::kOdometry:
+      return model.is_on_picture ? theme.odometry_on_imagery : theme.odometry;
+    case Layer::kTruth:
+      return model.is_on_picture ? theme.truth_on_imagery : theme.truth;
+    case Layer::kGraticule:
+      return model.is_on_picture ? Rgba{255, 255, 255} : theme.line;
+    default:
+      return model.is_on_picture ? run_colour_on_imagery(theme, model.run_colour)
+                                 : run_colour(theme, model.run_colour);
+  }
 }
 
 Actions draw_layers(kit::Ui& ui, const LayersModel& model, LayersState& /*state*/) {

@@ -29,6 +29,8 @@ struct LayersModel {
   std::vector<Row> rows;  ///< From the top of the map down to its ground.
   PoseSource topview_at = PoseSource::kEstimate;
   std::vector<ClassShare> classes;  ///< Of the open map, the largest first; empty without one.
+  bool is_on_picture = false;       ///< Lines lie on picture or labels, and have colours for that.
+  std::size_t run_colour = 0;       ///< Of the active run.
 };
 
 [[nodiscard]] LayersModel layers_model(const Session& session);
@@ -37,11 +39,15 @@ struct LayersModel {
 [[nodiscard]] std::string_view layer_title(Layer layer);
 /// Whether a layer is lines whose colour can be chosen.
 [[nodiscard]] bool has_line_colour(Layer layer);
+/// What its lines are drawn in where nobody has chosen a colour.
+[[nodiscard]] Rgba usual_line_colour(Layer layer, const LayersModel& model, const Theme& theme);
 
 /// What the panel keeps; nothing so far.
 struct LayersState {};
 
-/// Paths, for the layer `estimate`: "Layers/estimate/grip", "/visible", "/opacity", and "/##colour" where it has lines;
+/// Paths, for the layer `estimate`: "Layers/estimate/grip", "/visible", "/opacity" (not of the legend), and "/##colour" where it
+/// has lines; a click
+/// of the right button on its title opens "Layers/estimate/order/Raise", "/Lower", "/To the top", "/To the ground".
 /// "Layers/topview at/estimate"; "Layers/Classes/shares/road/share".
 [[nodiscard]] Actions draw_layers(kit::Ui& ui, const LayersModel& model, LayersState& state);
 

@@ -13,15 +13,12 @@
 namespace nadir {
 namespace {
 
-constexpr double kToolSize = 28.0, kToolPadding = 4.0, kToolGap = 4.0;
+constexpr double kToolSize = 28.0, kToolPadding = 4.0, kAboveScaleBar = 40.0;
 constexpr double kCardWidth = 232.0, kCardRow = 24.0, kCardHead = 32.0;
 constexpr double kBelowCards = 60.0;  ///< Room for the legend.
-constexpr int kToolCount = 8;
 
 std::string compass_text(double yaw_rad) {
-  const double compass = compass_deg_from_yaw(Angle::radians(yaw_rad));
-  // What rounds up to a whole turn is none.
-  return fmt::format("{:05.1f}°", compass >= 359.95 ? 0.0 : compass);
+  return bearing_text(compass_deg_from_yaw(Angle::radians(yaw_rad)));
 }
 
 /// A card of so many read-outs below the others; `top` moves below it. It is cut where the map ends, and then scrolls.
@@ -117,10 +114,8 @@ void draw_measure_card(
   ui.read_out("distance", distance_text(measured.length_m), {},
               {"Along all legs, on the map's plane", ""});
   if (measured.bearing_deg) {
-    ui.read_out(
-        "bearing",
-        fmt::format("{:05.1f}°", *measured.bearing_deg >= 359.95 ? 0.0 : *measured.bearing_deg), {},
-        {"Of the last leg, clockwise from grid north", ""});
+    ui.read_out("bearing", bearing_text(*measured.bearing_deg), {},
+                {"Of the last leg, clockwise from grid north", ""});
   }
   if (measured.area_m2) {
     ui.read_out("area", area_text(*measured.area_m2), {},
@@ -139,45 +134,39 @@ std::optional<std::size_t> selected_particle(const MapViewModel& model) {
   return static_cast<std::size_t>(index);
 }
 
+double map_tools_width(const kit::Ui& ui) {
+  return ui.px(8.0 + kToolSize + 2.0 * kToolPadding + 4.0);
+}
+
 Actions draw_map_tools(kit::Ui& ui, const MapViewModel& model, const kit::Rect& map) {
-  Actions asked;
-  const double side = kToolSize + 2.0 * kToolPadding;
-  const double height =
-      kToolCount * kToolSize + (kToolCount - 1) * kToolGap + 2.0 * 9.0 + 2.0 * kToolPadding;
-  const kit::Rect place{map.left + ui.px(8.0), map.top + ui.px(8.0), ui.px(side), ui.px(height)};
-  if (place.bottom() > map.bottom()) return asked;
-  const auto column = ui.region(
-      "Tools", place,
-      {.surface = kit::Surface::kPlate, .padding = ui.px(kToolPadding), .is_above = true});
   const MapLook& look = model.look;
-  const auto tool = [&](const std::string& name, kit::Icon icon, const std::string& text,
-                        MapTool which) {
-    const Action action = actions::UseTool{which};
-    if (ui.icon_button(name, icon, hint_for(text, action), look.tool == which))
-      asked.push_back(action);
-  };
+  std::vector<kit::Tool> tools;
+  Actions actions_of_tools;
   const auto deed = [&](const std::string& name, kit::Icon icon, const std::string& text,
-                        const Action& action, bool is_on = false) {
-    if (ui.icon_button(name, icon, hint_for(text, action), is_on)) asked.push_back(action);
+                        const Action& action, bool is_on = false, bool begins_group = false) {
+    kit::Tool tool{name, icon, hint_for(text, action), is_on};
+    tool.begins_group = begins_group;
+    tools.push_back(std::move(tool));
+    actions_of_tools.push_back(action);
   };
-  tool("Pan", kit::Icon::kMove, "Move the map by dragging; drag the right button to turn it",
-       MapTool::kPan);
-  tool("Measure", kit::Icon::kRuler, "Measure distance, bearing and area by clicking places",
-       MapTool::kMeasure);
-  tool("Pick", kit::Icon::kLocate, "Click a particle to see its pose, weight and errors",
-       MapTool::kPick);
-  ui.line();
-  deed("Zoom in", kit::Icon::kPlus, "Show it larger", actions::Zoom{});
+  const auto choice = [&](const std::string& name, kit::Icon icon, const std::string& text,
+                          MapTool which) {
+    deed(name, icon, text, actions::UseTool{which}, look.tool == which);
+  };
+  choice("Pan", kit::Icon::kMove, "Move the map by dragging; drag the right button to turn it",
+         MapTool::kPan);
+  choice("Measure", kit::Icon::kRuler, "Measure distance, bearing and area by clicking places",
+         MapTool::kMeasure);
+  choice("Pick", kit::Icon::kLocate, "Click a particle to see its pose, weight and errors",
+         MapTool::kPick);
+  deed("Zoom in", kit::Icon::kPlus, "Show it larger", actions::Zoom{}, false, true);
   deed("Zoom out", kit::Icon::kMinus, "Show it smaller", actions::Zoom{1.0 / 1.5, {}, {}});
   const bool has_flight = !model.runs.empty();
   deed("Fit", kit::Icon::kExpand, has_flight ? "Show the whole flight" : "Show the whole map",
        actions::Fit{has_flight ? FitTo::kFlight : FitTo::kMap});
-  ui.line();
-  {
-    const auto off = ui.disabled(!has_flight, "open a run first");
-    deed("Follow", kit::Icon::kMapMarker, "Keep the estimate in the middle",
-         actions::Follow{Switch::kToggle}, look.is_following);
-  }
+  deed("Follow", kit::Icon::kMapMarker, "Keep the estimate in the middle",
+       actions::Follow{Switch::kToggle}, look.is_following, true);
+  if (!has_flight) tools.back().disabled_because = "open a run first";
   const bool is_heading_up = look.up == MapUp::kHeading;
   deed("Up", kit::Icon::kCompass,
        is_heading_up ? "Heading is up; click for north"
@@ -185,7 +174,16 @@ Actions draw_map_tools(kit::Ui& ui, const MapViewModel& model, const kit::Rect& 
                                                  : "The map is turned; click for north up"),
        actions::SetUp{look.up == MapUp::kNorth && has_flight ? MapUp::kHeading : MapUp::kNorth},
        look.up != MapUp::kNorth);
-  return asked;
+  // The scale bar stays free below them.
+  const double padding = ui.px(kToolPadding);
+  const double room = map.height - ui.px(8.0) - ui.px(kAboveScaleBar) - 2.0 * padding;
+  const kit::Rect place{map.left + ui.px(8.0), map.top + ui.px(8.0),
+                        ui.px(kToolSize) + 2.0 * padding,
+                        ui.tool_column_height(tools, room) + 2.0 * padding};
+  const auto column = ui.region(
+      "Tools", place, {.surface = kit::Surface::kPlate, .padding = padding, .is_above = true});
+  const auto clicked = ui.tool_column(tools, room);
+  return clicked ? Actions{actions_of_tools[*clicked]} : Actions{};
 }
 
 Actions draw_map_cards(kit::Ui& ui, const MapViewModel& model, const kit::Rect& map) {
@@ -199,10 +197,11 @@ Actions draw_map_cards(kit::Ui& ui, const MapViewModel& model, const kit::Rect& 
 }
 
 Actions draw_map_menu(kit::Ui& ui,
+                      const std::string& name,
                       const MapViewModel& model,
                       const Eigen::Vector2d& point_in_enu_m) {
   Actions asked;
-  const auto menu = ui.context_menu("Menu");
+  const auto menu = ui.context_menu(name);
   if (!menu) return asked;
   const MapReadout place =
       map_readout(point_in_enu_m, nullptr, model.plane ? &*model.plane : nullptr);

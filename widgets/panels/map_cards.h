@@ -9,8 +9,11 @@ namespace nadir {
 /// what was measured and what the selected particle is. @param map  Their map's place in the window.
 [[nodiscard]] Actions draw_map_tools(kit::Ui& ui, const MapViewModel& model, const kit::Rect& map);
 [[nodiscard]] Actions draw_map_cards(kit::Ui& ui, const MapViewModel& model, const kit::Rect& map);
+/// What the tools cover along the left border, pixels.
+[[nodiscard]] double map_tools_width(const kit::Ui& ui);
 /// What a click of the right button on the map opens. Call it after the area was made.
 [[nodiscard]] Actions draw_map_menu(kit::Ui& ui,
+                                    const std::string& name,
                                     const MapViewModel& model,
                                     const Eigen::Vector2d& point_in_enu_m);
 

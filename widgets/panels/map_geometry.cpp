@@ -133,6 +133,10 @@ std::string area_text(double area_m2) {
   return fmt::format("{:.1f} m²", area_m2);
 }
 
+std::string bearing_text(double bearing_deg) {
+  return fmt::format("{:05.1f}°", bearing_deg >= 359.95 ? 0.0 : bearing_deg);
+}
+
 std::string metres_text(double metres, int decimals) {
   std::string text = fmt::format("{:.{}f}", metres, decimals);
   const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;

@@ -61,6 +61,8 @@ struct Measured {
 /// "12.34 m", "1.234 km"; "56.7 m²", "1.23 ha", "4.56 km²".
 [[nodiscard]] std::string distance_text(double length_m);
 [[nodiscard]] std::string area_text(double area_m2);
+/// "045.0°"; what rounds up to a whole turn is none.
+[[nodiscard]] std::string bearing_text(double bearing_deg);
 /// "E 123.45  N 67.89" is written by parts: metres with a fixed number of decimals, no negative zero.
 [[nodiscard]] std::string metres_text(double metres, int decimals = 2);
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/panels/map_lines.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,9 +11,10 @@
 namespace nadir {
 namespace {
 
-constexpr double kFaint = 0.38;   ///< Of what lies ahead of now.
+constexpr double kFaint = 0.5;    ///< Of what lies ahead of now.
 constexpr double kPosePt = 13.0;  ///< Length of an arrowhead.
 constexpr double kPlate = 0.85;
+constexpr double kOuterSigmas = 0.85;  ///< Opacity of the second and third ellipse.
 
 const std::vector<Eigen::Vector2d>& points_of(const RunPaths& paths, PoseSource source) {
   switch (source) {
@@ -39,7 +38,7 @@ void draw_trail(Canvas& canvas,
   const std::size_t split = now ? std::min(*now, points.size() - 1) : 0;
   PathLook faint = look;
   faint.colour = faded(look.colour, kFaint);
-  faint.casing = faded(look.casing, 0.6 * kFaint);
+  faint.casing = faded(look.casing, 0.8 * kFaint);
   faint.width_pt = 0.75 * look.width_pt;
   faint.is_dashed = false;
   faint.casing_pt = 0.4;
@@ -52,30 +51,20 @@ void draw_trail(Canvas& canvas,
 
 class MapLines {
  public:
-  MapLines(Canvas& canvas,
-           const MapFrame& frame,
-           const MapViewModel& model,
-           const std::vector<int>& shown,
-           RunPathsCache& paths,
-           const Theme& theme)
-      : canvas_(canvas), frame_(frame), model_(model), paths_(paths), theme_(theme) {
-    for (const MapRun& run : model.runs) {
-      if (run.document && std::find(shown.begin(), shown.end(), run.number) != shown.end()) {
-        runs_.push_back(&run);
-      }
+  explicit MapLines(const MapDrawing& drawing)
+      : canvas_(drawing.canvas),
+        frame_(drawing.frame),
+        model_(drawing.model),
+        paths_(drawing.paths),
+        theme_(drawing.theme) {
+    for (const MapRun& run : model_.runs) {
+      const bool is_shown =
+          std::find(drawing.shown.begin(), drawing.shown.end(), run.number) != drawing.shown.end();
+      if (run.document && is_shown) runs_.push_back(&run);
     }
   }
 
-  void draw() {
-    for (const Layer layer : model_.look.order) {
-      if (model_.look.layer(layer).is_visible) draw(layer);
-    }
-    draw_poses();
-    draw_bookmarks();
-  }
-
- private:
-  void draw(Layer layer) {
+  void draw_layer(Layer layer) {
     switch (layer) {
       case Layer::kOdometry:
         return draw_paths(PoseSource::kOdometry);
@@ -87,13 +76,16 @@ class MapLines {
         return draw_all_ellipses();
       case Layer::kModes:
         return draw_active_modes();
-      case Layer::kGraticule:
-        return draw_grid();
       default:
-        return;  // the ground, and the legend, which lies above all
+        return;  // the graticule, the ground, and the legend, which lies above all
     }
   }
+  void draw_marks() {
+    draw_poses();
+    draw_bookmarks();
+  }
 
+ private:
   /// Truth and odometry belong to the flight: they are drawn once, of the active run or the first one shown.
   [[nodiscard]] const MapRun* leader() const { return runs_.empty() ? nullptr : runs_.back(); }
 
@@ -118,11 +110,11 @@ class MapLines {
       look.colour = faded(look.colour, layer.opacity);
       look.casing = faded(look.casing, layer.opacity);
       look.is_dashed = false;
-      look.width_pt = 1.0;
-      look.casing_pt = 0.4;
-      draw_ellipses(canvas_, frame_, moments.mean.translation_m(),
-                    moments.covariance.topLeftCorner<2, 2>(),
-                    run->is_active ? std::span<const double>(kSigmas) : kFewSigmas, look);
+      look.width_pt = 1.2;
+      look.casing_pt = 0.8;
+      draw_ellipses(
+          canvas_, frame_, moments.mean.translation_m(), moments.covariance.topLeftCorner<2, 2>(),
+          run->is_active ? std::span<const double>(kSigmas) : kFewSigmas, look, kOuterSigmas);
     }
   }
 
@@ -186,50 +178,6 @@ class MapLines {
     }
   }
 
-  void draw_grid() {
-    const LayerLook& layer = model_.look.layer(Layer::kGraticule);
-    const double px = frame_.px_per_pt;
-    const PageRect& where = frame_.where;
-    const auto lines = grid_lines(frame_.camera, where, 90.0 * px);
-    const auto own = layer.colour ? colour_from_hex(*layer.colour) : std::nullopt;
-    const Rgba light = faded(own.value_or(Rgba{255, 255, 255}), 0.45 * layer.opacity);
-    const Rgba dark = faded(Rgba{0, 0, 0}, 0.35 * layer.opacity);
-    for (const GridLine& line : lines) {
-      canvas_.stroke(line.ends, {dark, 1.2 * px});
-      canvas_.stroke(line.ends, {light, 0.6 * px});
-    }
-    TextStyle style;
-    style.face = FontFace::kNumbers;
-    style.size_px = 7.5 * px;
-    style.colour = faded(theme_.text, layer.opacity);
-    // Numbers lie where nothing else does: along the upper border east, along the right one north.
-    std::vector<PageRect> taken;
-    for (const GridLine& line : lines) {
-      const std::string label =
-          fmt::format("{} {}", line.is_east ? "E" : "N",
-                      metres_text(line.value_m, line.value_m == std::round(line.value_m) ? 0 : 2));
-      const Eigen::Vector2d end = line.is_east ? line.ends[1] : higher_east(line.ends);
-      const PageRect wide = plate_at({0.0, 0.0}, label, style, px);
-      const Eigen::Vector2d half(wide.width / 2.0 + 2.0 * px, wide.height / 2.0 + 2.0 * px);
-      const Eigen::Vector2d at(
-          std::clamp(end.x(), where.left + half.x(),
-                     std::max(where.left + half.x(), where.right() - half.x())),
-          std::clamp(end.y(), where.bottom + half.y(),
-                     std::max(where.bottom + half.y(), where.top() - half.y())));
-      const PageRect plate = plate_at(at, label, style, px);
-      const bool is_free = std::none_of(taken.begin(), taken.end(), [&](const PageRect& other) {
-        return plate.left < other.right() && other.left < plate.right() &&
-               plate.bottom < other.top() && other.bottom < plate.top();
-      });
-      if (!is_free) continue;
-      taken.push_back(plate);
-      draw_plate(canvas_, at, label, style, with_opacity(theme_.page, 0.7 * layer.opacity), px);
-    }
-  }
-  static Eigen::Vector2d higher_east(const std::array<Eigen::Vector2d, 2>& ends) {
-    return ends[0].x() > ends[1].x() ? ends[0] : ends[1];
-  }
-
   Canvas& canvas_;
   const MapFrame& frame_;
   const MapViewModel& model_;
@@ -240,13 +188,11 @@ class MapLines {
 
 }  // namespace
 
-void draw_map_lines(Canvas& canvas,
-                    const MapFrame& frame,
-                    const MapViewModel& model,
-                    const std::vector<int>& shown,
-                    RunPathsCache& paths,
-                    const Theme& theme) {
-  MapLines(canvas, frame, model, shown, paths, theme).draw();
+void draw_map_layer(const MapDrawing& drawing, Layer layer) {
+  if (layer == Layer::kGraticule) return draw_map_grid(drawing, false);
+  MapLines(drawing).draw_layer(layer);
 }
+
+void draw_map_poses(const MapDrawing& drawing) { MapLines(drawing).draw_marks(); }
 
 }  // namespace nadir

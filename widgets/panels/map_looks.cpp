@@ -21,11 +21,20 @@ Rgba faded(Rgba colour, double opacity) {
   return with_opacity(colour, opacity * colour.alpha / 255.0);
 }
 
-bool has_ground_picture(const MapViewModel& model) {
+bool has_ground_picture(const MapLook& look, bool has_map) {
   const auto shows = [&](Layer layer) {
-    return model.look.layer(layer).is_visible && model.look.layer(layer).opacity > 0.3;
+    return look.layer(layer).is_visible && look.layer(layer).opacity > 0.3;
   };
-  return model.map != nullptr && (shows(Layer::kPicture) || shows(Layer::kLabels));
+  return has_map && (shows(Layer::kPicture) || shows(Layer::kLabels));
+}
+
+bool has_ground_picture(const MapViewModel& model) {
+  return has_ground_picture(model.look, model.map != nullptr);
+}
+
+Rgba particle_casing(const Theme& theme, bool is_on_picture) {
+  return is_on_picture ? with_opacity(theme.casing_on_imagery, 0.85)
+                       : with_opacity(theme.window, 0.85);
 }
 
 std::optional<Rgba> colour_from_hex(const std::string& text) {

@@ -13,6 +13,7 @@
 #include "widgets/kit/ui.h"
 #include "widgets/panels/map_geometry.h"
 #include "widgets/panels/map_trails.h"
+#include "widgets/panels/surface_picture.h"
 
 namespace nadir {
 
@@ -28,6 +29,12 @@ struct MapRun {
   std::vector<std::string> bookmark_notes;  ///< One a bookmark; may be empty.
 };
 
+/// A run that would be shown, had it the ground of what is shown.
+struct ApartRun {
+  int number = 1;
+  std::string name, map;  ///< Of the run, and of the map that it was made on.
+};
+
 /// What the hero of the window shows. Made each frame: it holds no pixels and copies no path.
 struct MapViewModel {
   MapLook look;              ///< Resolved: centre and up are those of now.
@@ -36,16 +43,27 @@ struct MapViewModel {
   std::shared_ptr<const MapIndex> map;  ///< Null: none, or being read.
   std::optional<ProjectPlane> plane;    ///< Of the map, else of the active run.
   std::string reading;                  ///< Name of what is being read; empty: nothing is.
+  /// Runs that are not drawn, for the map that is open is not theirs, or not that of the active run.
+  std::vector<ApartRun> apart;
+  bool is_map_foreign = false;             ///< The map that is open is not that of the active run.
+  std::optional<CostRange> surface_costs;  ///< Of the error surface that lies on the ground now.
   std::optional<int> selected_particle;
   bool takes_keys = true;  ///< False: something lies over the window, and Escape is for that.
 };
 [[nodiscard]] MapViewModel map_view_model(const Session& session);
+/// Where the coordinates of what is open lie on earth: of the map, else of the active run; nothing without either.
+[[nodiscard]] std::optional<ProjectPlane> plane_of(const Session& session);
 
-/// The ground that the window draws for a map: picture, labels, reconstruction, surfaces, topview, particles.
+/// A part of the ground that the window draws for a map: picture, labels, reconstruction, surfaces, topview, particles.
 struct MapGround {
   int run = 0;       ///< Number of the run whose topview and particles lie on it; 0: none.
   MapCamera camera;  ///< Metres a pixel of the window, not of the frame buffer.
   int width_px = 0, height_px = 0;
+  std::vector<Layer> layers;  ///< Of this part, from below.
+  int part = 0,
+      part_count = 1;     ///< Others are asked for in the same frame, where lines lie between them.
+  bool is_lowest = true;  ///< Nothing lies below it but the window; else it lets lines through.
+  bool is_second = false;  ///< Of the second map of a split view.
 };
 
 struct MapViewState {
@@ -57,6 +75,7 @@ struct MapViewState {
       readout;       ///< Of the place under the mouse in this frame; for the status line.
   MapCamera camera;  ///< That the view (of the active run) was drawn with; for exports.
   PageRect where;    ///< Of its page.
+  MapRoom room;      ///< What controls leave of it.
 
   RunPathsCache paths;
   std::string grabbing_pane;  ///< Map whose ground a drag holds; empty: none.

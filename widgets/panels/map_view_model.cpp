@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "core/session/shared_ground.h"
 #include "widgets/panels/map_view.h"
 
 namespace nadir {
@@ -28,6 +29,23 @@ MapRun map_run(const Session& session, std::size_t index) {
   return run;
 }
 
+/// Takes out what would be drawn where it was not: coordinates of another map's.
+void set_apart(MapViewModel& model, const RunDocument& active) {
+  model.is_map_foreign = model.map && !is_on_plane(active.header, model.map->map().plane);
+  std::erase_if(model.runs, [&](const MapRun& run) {
+    if (!run.document) return false;
+    const RunHeader& header = run.document->header;
+    if (!model.is_map_foreign && share_ground(active.header, header)) return false;
+    model.apart.push_back({run.number, run.name, header.map});
+    return true;
+  });
+  if (!model.is_map_foreign) return;
+  model.step.reset();
+  model.selected_particle.reset();
+}
+
+}  // namespace
+
 std::optional<ProjectPlane> plane_of(const Session& session) {
   if (const OpenMap* const map = session.map(); map != nullptr && map->index) {
     return map->index->map().plane;
@@ -39,8 +57,6 @@ std::optional<ProjectPlane> plane_of(const Session& session) {
   if (!plane) return std::nullopt;
   return *plane;
 }
-
-}  // namespace
 
 MapViewModel map_view_model(const Session& session) {
   MapViewModel model;
@@ -62,6 +78,8 @@ MapViewModel map_view_model(const Session& session) {
   if (unread != model.runs.end()) model.reading = unread->name;
   model.selected_particle = session.view().selected_particle;
   model.takes_keys = session.overlay() == Overlay::kNone;
+  const OpenRun* const active = session.active_run();
+  if (active != nullptr && active->document) set_apart(model, *active->document);
   return model;
 }
 

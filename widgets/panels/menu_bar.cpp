@@ -197,8 +197,10 @@ MenuBarModel menu_bar_model(const Session& session) {
     model.open_names.push_back(name_of(view.flight_path));
   }
   if (model.open_names.size() == 2) {
-    model.open_names.push_back(name_of(view.draft.preset) +
-                               (view.draft.changed.empty() ? "" : " (changed)"));
+    const std::string of_run = view.runs.empty() ? "default" : "own options";
+    model.open_names.push_back(
+        (view.draft.preset == kOptionsOfRun ? of_run : name_of(view.draft.preset)) +
+        (view.draft.changed.empty() ? "" : " (changed)"));
   }
   return model;
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/angle.h"
-#include "core/eval/consistency.h"
+#include "core/session/moment_explanation.h"
 #include "widgets/panels/map_geometry.h"
 
 namespace nadir {
@@ -60,16 +60,14 @@ MomentModel moment_model(const Session& session) {
 }
 
 std::string nees_words(double nees) {
-  if (nees > chi_square_quantile(0.999, 3.0)) return "far too sure of itself";
-  if (nees > chi_square_quantile(0.95, 3.0)) return "over-confident";
-  if (nees < chi_square_quantile(0.01, 3.0)) return "cautious";
-  return "as it should be";
+  const StepNeesBounds bounds = step_nees_bounds();
+  if (nees > bounds.upper) return fmt::format("above {:.2f}", bounds.upper);
+  if (nees < bounds.lower) return fmt::format("below {:.2f}", bounds.lower);
+  return fmt::format("within {:.2f}", bounds.upper);
 }
 
 kit::TextLook nees_look(double nees) {
-  if (nees > chi_square_quantile(0.999, 3.0)) return kit::TextLook::kBad;
-  if (nees > chi_square_quantile(0.95, 3.0)) return kit::TextLook::kWarning;
-  return kit::TextLook::kNumber;
+  return nees > step_nees_bounds().upper ? kit::TextLook::kWarning : kit::TextLook::kNumber;
 }
 
 std::vector<MomentFact> moment_facts(const RunDocument& document, std::size_t index) {
@@ -93,13 +91,19 @@ std::vector<MomentFact> moment_facts(const RunDocument& document, std::size_t in
   if (const auto at = document.error_index_of(index);
       at && std::isfinite(document.errors.nees[*at])) {
     const double nees = document.errors.nees[*at];
-    facts.push_back({"NEES",
-                     fmt::format("{:.1f}, {}", nees, nees_words(nees)),
-                     "",
-                     nees_look(nees),
-                     {"Squared error over what the filter held possible: 3 on average, below 7.8 "
-                      "for 95 of 100 steps",
-                      "", "", "evaluation"}});
+    const StepNeesBounds bounds = step_nees_bounds();
+    facts.push_back(
+        {"NEES of this step",
+         fmt::format("{:.1f}, {}", nees, nees_words(nees)),
+         "",
+         nees_look(nees),
+         {fmt::format(
+              "Squared error in the filter's own sigmas: x, y and heading. Of the steps of a "
+              "consistent filter 95 % lie between the chi-square bounds {:.2f} and {:.2f} "
+              "({} degrees of freedom). One step is no test of consistency: the mean over "
+              "many is (Runs, NEES mean)",
+              bounds.lower, bounds.upper, bounds.degrees_of_freedom),
+          "", "", "evaluation"}});
   }
   if (std::isfinite(step.effective_sample_size)) {
     facts.push_back({"effective sample size",

@@ -41,7 +41,8 @@ struct MomentFact {
 /// @param index  Of a step of the document.
 [[nodiscard]] std::vector<MomentFact> moment_facts(const RunDocument& document, std::size_t index);
 
-/// "as it should be", "over-confident", "far too sure of itself", "cautious": what a NEES of three degrees of freedom says.
+/// "above 9.35", "within 9.35", "below 0.22": how the NEES of one step lies to its 95 % bounds (step_nees_bounds()). No verdict:
+/// one step is no test of consistency.
 /// @param nees  Not negative.
 [[nodiscard]] std::string nees_words(double nees);
 [[nodiscard]] kit::TextLook nees_look(double nees);

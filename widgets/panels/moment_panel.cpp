@@ -28,10 +28,7 @@ void draw_patch(kit::Ui& ui,
                 const TextureOf& texture_of,
                 double width) {
   ui.text(caption, kit::TextLook::kMuted);
-  const auto input = draw_picture(ui, caption + " picture", picture, texture_of, {width, 0.0});
-  if (!input.pixel) return;
-  const auto words = seen_cell_words(seen_cell(moment, *input.pixel));
-  ui.mouse_tooltip(words);
+  draw_seen_picture(ui, caption + " picture", picture, moment, texture_of, {width, 0.0});
 }
 
 void draw_patches(kit::Ui& ui, const SeenMoment& moment, const TextureOf& texture_of) {
@@ -65,25 +62,39 @@ bool is_asked(const CellAgreement::Count& count) { return count.share().has_valu
 
 }  // namespace
 
+void draw_seen_picture(kit::Ui& ui,
+                       const std::string& name,
+                       const Picture& picture,
+                       const SeenMoment& moment,
+                       const TextureOf& texture_of,
+                       const Eigen::Vector2d& size) {
+  const auto input = draw_picture(ui, name, picture, texture_of, size);
+  if (!input.pixel) return;
+  const auto words = seen_cell_words(seen_cell(moment, *input.pixel));
+  ui.mouse_tooltip(words);
+}
+
 void draw_agreement_table(kit::Ui& ui, const SeenMoment& moment) {
   if (moment.at_estimate.of_cell.empty()) {
     ui.text(!moment.map ? "open a map to compare with" : "nothing to compare",
             kit::TextLook::kMuted);
     return;
   }
-  std::vector<kit::Column> columns = {
-      {"class", kit::Align::kLeft, 0.0, 0, {}},
-      {"estimate",
-       kit::Align::kLeft,
-       ui.px(104.0),
-       0,
-       {"Share of cells on known ground whose class the map has there, at the estimate", ""}}};
+  std::vector<kit::Column> columns = {{"class", kit::Align::kLeft, 0.0, 0, {}},
+                                      {"estimate",
+                                       kit::Align::kLeft,
+                                       ui.px(104.0),
+                                       0,
+                                       {"Share of cells on known ground whose class the map has "
+                                        "there, with the topview laid at the "
+                                        "estimate; more is better",
+                                        ""}}};
   if (moment.at_truth) {
     columns.push_back({"truth",
                        kit::Align::kLeft,
                        ui.px(104.0),
                        0,
-                       {"The same where the topview is laid at the truth", ""}});
+                       {"The same with the topview laid at the truth; more is better", ""}});
   }
   const Theme& theme = ui.theme();
   const auto bar = [&](const CellAgreement::Count& count, Rgba colour) {
@@ -110,72 +121,6 @@ void draw_agreement_table(kit::Ui& ui, const SeenMoment& moment) {
   std::optional<CellAgreement::Count> truth;
   if (moment.at_truth) truth = moment.at_truth->total();
   draw_row("all", moment.at_estimate.total(), truth);
-}
-
-void draw_camera_view(kit::Ui& ui,
-                      const MomentModel& model,
-                      CameraViewState& state,
-                      const TextureOf& texture_of,
-                      bool is_large) {
-  if (!model.has_camera_frame) {
-    const std::string words =
-        model.has_flight
-            ? "The flight has no camera frame of this moment."
-            : "The flight of this run is not open: its camera frames are read from there.";
-    ui.wrapped(words, kit::TextLook::kMuted);
-    return;
-  }
-  const bool has_depth = model.camera && !model.camera->depth_m.empty();
-  const bool has_image = model.camera && !model.camera->image.empty();
-  const bool has_labels = model.camera && !model.camera->labels.empty();
-  if (!has_depth && model.camera && state.kind == CameraKind::kDepth)
-    state.kind = CameraKind::kImage;
-  const Picture& picture = state.pictures.of(model.camera, state.kind, state.label_opacity);
-  const kit::Rect room = ui.room();
-  const Eigen::Vector2d size(room.width,
-                             is_large ? std::max(ui.px(80.0), room.height - ui.px(40.0)) : 0.0);
-  const auto input = is_large
-                         ? draw_picture(ui, "Camera picture", picture, texture_of, state.zoom, size)
-                         : draw_picture(ui, "Camera picture", picture, texture_of, size);
-  if (input.pixel && model.camera && picture) {
-    std::vector<std::string> words;
-    const auto scaled_to = [&](int width, int height) {
-      return Eigen::Vector2i(input.pixel->x() * width / picture.pixels->width(),
-                             input.pixel->y() * height / picture.pixels->height());
-    };
-    if (has_labels) {
-      const auto at = scaled_to(model.camera->labels.width(), model.camera->labels.height());
-      words.emplace_back(class_info(model.camera->labels.at(at.x(), at.y())).name);
-    }
-    if (has_depth) {
-      const auto at = scaled_to(model.camera->depth_m.width(), model.camera->depth_m.height());
-      const float depth = model.camera->depth_m.at(at.x(), at.y());
-      words.push_back(depth > 0.0F && std::isfinite(depth) ? fmt::format("{:.1f} m away", depth)
-                                                           : "no depth here");
-    }
-    if (!words.empty()) ui.mouse_tooltip(words);
-  }
-  if (has_depth || (has_image && has_labels)) ui.space(ui.px(4.0));
-  if (has_depth) {
-    static constexpr std::array<const char*, 2> kKinds = {"Image", "Depth"};
-    const std::array<std::string, 2> kinds = {has_image ? kKinds[0] : "Labels", kKinds[1]};
-    ui.next_width(ui.px(128.0));
-    const auto kind = ui.choice("##Show", kinds, static_cast<std::size_t>(state.kind),
-                                {"Light is near, dark is far", ""});
-    if (kind) state.kind = static_cast<CameraKind>(*kind);
-  }
-  if (has_image && has_labels && state.kind == CameraKind::kImage) {
-    if (has_depth) ui.same_line();
-    ui.text("labels", kit::TextLook::kMuted);
-    ui.same_line();
-    const auto edit = ui.small_slider("Label opacity", state.label_opacity,
-                                      {.least = 0.0,
-                                       .most = 1.0,
-                                       .decimals = 2,
-                                       .reset = 0.35,
-                                       .hint = {"How much the labels cover the image", ""}});
-    if (edit.is_changed) state.label_opacity = edit.value;
-  }
 }
 
 Actions draw_moment_panel(kit::Ui& ui, const MomentModel& model, MomentPanelState& state) {

@@ -28,11 +28,21 @@ struct MomentPanelState {
                                         const MomentModel& model,
                                         MomentPanelState& state);
 
+/// One of the pictures of what was seen; the cell under the mouse is said in a tooltip.
+/// @param size  Pixels; 0: what is left, or as high as the picture's shape wants.
+void draw_seen_picture(kit::Ui& ui,
+                       const std::string& name,
+                       const Picture& picture,
+                       const SeenMoment& moment,
+                       const TextureOf& texture_of,
+                       const Eigen::Vector2d& size);
+
 /// Bars of the share of cells that agree, a class a row, at the estimate and at the truth: the classes that were seen on
 /// known ground.
 void draw_agreement_table(kit::Ui& ui, const SeenMoment& moment);
 
-/// Image or depth, with labels over it as strong as wished; or what is missing. @param height  Of the picture; 0: its own.
+/// Image with labels over it as strong as wished, labels, depth or confidence; or what is missing. @param is_large  It fills
+/// the room, and can be magnified.
 void draw_camera_view(kit::Ui& ui,
                       const MomentModel& model,
                       CameraViewState& state,

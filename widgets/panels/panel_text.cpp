@@ -66,6 +66,13 @@ std::string memory_text(std::size_t bytes) {
   return fmt::format("{:.1f} GB", megabytes / 1e3);
 }
 
+std::string file_size_text(std::uintmax_t bytes) {
+  const auto size = static_cast<double>(bytes);
+  if (bytes < 1000) return fmt::format("{} B", bytes);
+  if (size < 999.5e3) return fmt::format("{:.0f} kB", size / 1e3);
+  return memory_text(static_cast<std::size_t>(bytes));
+}
+
 std::string left_text(double left_s) {
   if (!std::isfinite(left_s)) return {};
   if (left_s < 4.5) return "a few seconds left";

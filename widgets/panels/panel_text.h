@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -25,6 +26,9 @@ namespace nadir {
 
 /// "212 MB", "1.4 GB": 10^6 and 10^9 bytes, as disks and system monitors count.
 [[nodiscard]] std::string memory_text(std::size_t bytes);
+
+/// "812 B", "4 kB", "212 MB": of a file.
+[[nodiscard]] std::string file_size_text(std::uintmax_t bytes);
 
 /// "a few seconds left", "12 s left", "3 min left", "2 h left".
 [[nodiscard]] std::string left_text(double left_s);

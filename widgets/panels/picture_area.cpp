@@ -56,7 +56,7 @@ PictureInput show(kit::Ui& ui,
   const double height = picture ? picture.pixels->height() : 3.0;
   if (size.x() <= 0.0) size.x() = ui.room().width;
   if (size.y() <= 0.0) size.y() = std::min(std::round(size.x() * height / width), 2.0 * size.x());
-  made.area = ui.area(name, size);
+  made.area = ui.area(name, size, zoom != nullptr ? kit::Wheel::kOwn : kit::Wheel::kScrolls);
   if (zoom != nullptr) apply_gestures(made.area, width, height, *zoom);
   const PageRect page = made.area.page();
   made.where = picture_place(width, height, page, zoom != nullptr ? *zoom : PictureZoom{});

@@ -5,6 +5,7 @@
 
 #include "core/session/place_text.h"
 #include "widgets/panels/empty_state.h"
+#include "widgets/panels/map_view.h"
 
 namespace nadir {
 namespace {
@@ -37,9 +38,8 @@ PlaceModel place_model(const Session& session) {
   PlaceModel model;
   model.is_open = session.overlay() == Overlay::kPlace;
   if (!model.is_open) return model;
-  const OpenMap* const map = session.map();
-  if (map == nullptr || !map->index) return model;
-  model.plane = map->index->map().plane;
+  model.plane = plane_of(session);
+  if (!model.plane) return model;
   model.here_in_enu_m = session.resolved_map_look().centre_in_enu_m;
   return model;
 }
@@ -53,8 +53,8 @@ Actions draw_place_overlay(kit::Ui& ui, const PlaceModel& model, PlaceState& sta
   const Actions closed = {actions::ShowOverlay{Overlay::kNone}};
   if (!model.plane) {
     Actions asked = draw_empty_state(ui, {kit::Icon::kMap,
-                                          "No map is open",
-                                          "Open a map or a run to go to places on it.",
+                                          "No map and no run is open",
+                                          "Open one of them to go to places on it.",
                                           "Open the demo",
                                           {},
                                           actions::OpenDemo{}});

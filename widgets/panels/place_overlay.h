@@ -13,7 +13,7 @@ namespace nadir {
 /// Asks for coordinates and shows that place on the map.
 struct PlaceModel {
   bool is_open = false;
-  std::optional<ProjectPlane> plane;                        ///< Of the map; nothing without one.
+  std::optional<ProjectPlane> plane;  ///< Of map or run; nothing without either.
   Eigen::Vector2d here_in_enu_m = Eigen::Vector2d::Zero();  ///< Middle of the map's view.
 };
 

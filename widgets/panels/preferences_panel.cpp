@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "widgets/panels/panel_text.h"
 
@@ -14,7 +15,32 @@ namespace {
 
 constexpr double kLeastMegabytes = 64.0, kMostMegabytes = 8192.0;
 
-void draw_look_preferences(kit::Ui& ui, const PreferencesModel& model, Actions& asked) {
+/// A slider of a number that says at itself why what was typed is not taken.
+[[nodiscard]] std::optional<double> committed_number(kit::Ui& ui,
+                                                     const std::string& label,
+                                                     double value,
+                                                     kit::NumberOptions options,
+                                                     std::string& refused) {
+  options.refuses = true;
+  options.refused = refused;
+  const auto edit = ui.slider(label, value, options);
+  if (!edit.refused.empty()) {
+    refused = edit.refused;
+  } else if (edit.was_ended || edit.was_committed) {
+    refused.clear();
+  }
+  if (!refused.empty()) {
+    ui.wrapped(fmt::format("{} is not in [{:g}, {:g}] {}", refused, options.least, options.most,
+                           options.unit),
+               kit::TextLook::kBad);
+  }
+  return edit.was_committed ? std::optional(edit.value) : std::nullopt;
+}
+
+void draw_look_preferences(kit::Ui& ui,
+                           const PreferencesModel& model,
+                           PreferencesState& state,
+                           Actions& asked) {
   const auto scope = ui.scope("Look");
   ui.text("Look", kit::TextLook::kMuted);
   const std::array<std::string, 2> themes = {"Light", "Dark"};
@@ -31,26 +57,30 @@ void draw_look_preferences(kit::Ui& ui, const PreferencesModel& model, Actions& 
   if (own) asked.emplace_back(actions::SetScale{*own ? 0.0 : std::round(shown * 20.0) / 20.0});
   {
     const auto pale = ui.disabled(is_own, "the screen decides; switch that off first");
-    const auto size = ui.slider("Size", shown,
-                                {.least = 0.75,
-                                 .most = 3.0,
-                                 .decimals = 2,
-                                 .unit = "×",
-                                 .step = 0.05,
-                                 .reset = 1.0,
-                                 .hint = {.text = "Size of text and controls", .shortcut = {}}});
-    if (size.was_committed) asked.emplace_back(actions::SetScale{size.value});
+    const auto size = committed_number(ui, "Size", shown,
+                                       {.least = kLeastScale,
+                                        .most = kMostScale,
+                                        .decimals = 2,
+                                        .unit = "×",
+                                        .step = 0.05,
+                                        .reset = 1.0,
+                                        .hint = {.text = "Size of text and controls"}},
+                                       state.refused_size);
+    if (size) asked.emplace_back(actions::SetScale{*size});
   }
   const auto calm = ui.checkbox("Reduced motion", model.appearance.is_motion_reduced,
                                 {.text = "Nothing moves that you do not move", .shortcut = {}});
   if (calm) asked.emplace_back(actions::ReduceMotion{*calm ? Switch::kOn : Switch::kOff});
 }
 
-void draw_memory_preferences(kit::Ui& ui, const PreferencesModel& model, Actions& asked) {
+void draw_memory_preferences(kit::Ui& ui,
+                             const PreferencesModel& model,
+                             PreferencesState& state,
+                             Actions& asked) {
   const auto scope = ui.scope("Memory");
   ui.text("Memory", kit::TextLook::kMuted);
-  const auto most = ui.slider(
-      "At most", model.memory_megabytes,
+  const auto most = committed_number(
+      ui, "At most", model.memory_megabytes,
       {.least = kLeastMegabytes,
        .most = kMostMegabytes,
        .decimals = 0,
@@ -59,11 +89,9 @@ void draw_memory_preferences(kit::Ui& ui, const PreferencesModel& model, Actions
        .reset = 256.0,
        .is_logarithmic = true,
        .hint = {.text = "Most memory for what is decoded of runs and flights; more makes going to "
-                        "and fro smoother",
-                .shortcut = {}}});
-  if (most.was_committed) {
-    asked.emplace_back(actions::SetMemory{static_cast<int>(std::lround(most.value))});
-  }
+                        "and fro smoother"}},
+      state.refused_memory);
+  if (most) asked.emplace_back(actions::SetMemory{static_cast<int>(std::lround(*most))});
   ui.read_out("Used now", fmt::format("{:.0f}", static_cast<double>(model.memory_used_bytes) / 1e6),
               "MB");
 }
@@ -130,10 +158,10 @@ Actions draw_preferences(kit::Ui& ui, const PreferencesModel& model, Preferences
   Actions asked;
   ui.heading("Preferences");
   ui.space();
-  draw_look_preferences(ui, model, asked);
+  draw_look_preferences(ui, model, state, asked);
   ui.space();
   ui.line();
-  draw_memory_preferences(ui, model, asked);
+  draw_memory_preferences(ui, model, state, asked);
   ui.space();
   ui.line();
   draw_layout_preferences(ui, model, state, asked);

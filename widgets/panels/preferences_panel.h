@@ -19,6 +19,8 @@ struct PreferencesModel {
 
 struct PreferencesState {
   std::string layout_name = {};  ///< Being typed.
+  std::string refused_size = {},
+              refused_memory = {};  ///< Typed and not taken, until it is corrected.
   bool is_open = false;
 };
 

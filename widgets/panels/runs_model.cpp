@@ -24,6 +24,13 @@ const JobStatus* job_of(const std::vector<JobStatus>& jobs, const OpenRun& run) 
   return any == jobs.end() ? nullptr : &*any;
 }
 
+/// Of the active run, whose flight alone the session hands out.
+double flight_end_s(const Session& session, const RunDocument& run) {
+  const auto flight = session.flight();
+  if (flight == nullptr || flight->description().frames.empty() || run.steps.empty()) return 0.0;
+  return flight->description().frames.back().time_s - run.start_clock_s;
+}
+
 }  // namespace
 
 RunsModel runs_model(const Session& session) {
@@ -47,6 +54,7 @@ RunsModel runs_model(const Session& session) {
       row.progress = job->fraction;
       row.progress_words = job->left_s ? left_text(*job->left_s) : job->activity;
     }
+    row.flight_end_s = row.is_active && run.document ? flight_end_s(session, *run.document) : 0.0;
     model.rows.push_back(std::move(row));
   }
   return model;

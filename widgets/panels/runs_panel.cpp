@@ -4,69 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <string_view>
 
 #include "widgets/panels/empty_state.h"
+#include "widgets/panels/panel_text.h"
+#include "widgets/panels/run_labels.h"
+#include "widgets/panels/run_metric_rows.h"
 #include "widgets/panels/shortcut_hint.h"
 #include "widgets/panels/time_axis.h"
 
 namespace nadir {
 namespace {
 
-constexpr double kPercentOfSteps = 100.0;
-constexpr double kExpectedNees = 3.0;  ///< Of a filter that knows itself: three degrees of freedom.
-constexpr double kExpectedCoverage = 95.0;  ///< Percent of the steps.
-
-/// What the panel has room for, by the comparison's keys.
-struct ShownMetric {
-  std::string_view key, name, unit;
-  double factor = 1.0;  ///< From the comparison's unit to the shown one.
-  int decimals = 2;
-  std::optional<double> expected;  ///< The best value, where neither lower nor higher is better.
-};
-constexpr std::array<ShownMetric, 10> kShownMetrics = {{
-    {"estimate_position_rmse_m", "RMSE", "m", 1.0, 2, std::nullopt},
-    {"estimate_position_median_m", "median", "m", 1.0, 2, std::nullopt},
-    {"estimate_position_p90_m", "90 % below", "m", 1.0, 2, std::nullopt},
-    {"estimate_position_max_m", "largest", "m", 1.0, 2, std::nullopt},
-    {"estimate_orientation_median_rad", "heading", "deg", 1.0, 2, std::nullopt},
-    {"nees_mean", "NEES", "", 1.0, 2, kExpectedNees},
-    {"coverage_95", "coverage", "%", kPercentOfSteps, 1, kExpectedCoverage},
-    {"estimate_recall_1m", "within 1 m", "%", kPercentOfSteps, 1, std::nullopt},
-    {"estimate_recall_3m", "within 3 m", "%", kPercentOfSteps, 1, std::nullopt},
-    {"estimate_recall_5m", "within 5 m", "%", kPercentOfSteps, 1, std::nullopt},
-}};
 constexpr int kMostDecimals = 2;
+constexpr const char* kIncomplete = "incomplete";
 /// Before the best of a row, which is also green: not everybody sees that.
-constexpr std::string_view kBestMark = "• ";
-
-/// Which run is the best by a metric; nothing where none is.
-std::optional<std::size_t> best_of(const ShownMetric& metric,
-                                   const MetricRow& row,
-                                   bool is_same_flight) {
-  if (!metric.expected || !is_same_flight) return row.best;
-  std::optional<std::size_t> best;
-  double least = 0.0;
-  std::size_t known = 0;
-  bool is_shared = false;
-  for (std::size_t i = 0; i < row.values.size(); ++i) {
-    if (!row.values[i]) continue;
-    ++known;
-    // A ratio for NEES, where twice as large is as wrong as half as large; a difference for shares.
-    const double value = *row.values[i] * metric.factor;
-    const double away = metric.unit.empty()
-                            ? std::abs(std::log(std::max(value, 1e-9) / *metric.expected))
-                            : std::abs(value - *metric.expected);
-    if (best && away == least) is_shared = true;
-    if (best && away >= least) continue;
-    best = i;
-    least = away;
-    is_shared = false;
-  }
-  return known < 2 || is_shared ? std::nullopt : best;
-}
+constexpr const char* kBestMark = "•";
 
 /// Compares again only where other runs are open, or one has grown. The active one comes first.
 void compare_again(const RunsModel& model, RunsState& state) {
@@ -94,7 +46,9 @@ std::string facts_of(const RunsModel::Row& row) {
   std::string facts =
       fmt::format("{}\n{} steps in {}, preset {}, seed {}", row.path, run.steps.size(),
                   clock_text(run.duration_s()), run.header.preset, run.header.seed);
-  if (!run.is_complete && !row.is_live) facts += "\nstopped before its end";
+  if (is_incomplete(run, row.is_live)) {
+    facts += "\nincomplete: " + incomplete_words(run, row.flight_end_s);
+  }
   return facts;
 }
 
@@ -113,8 +67,20 @@ void draw_run_row(kit::Ui& ui, const RunsModel::Row& row, std::size_t count, Act
   ui.colour_dot(run_colour(ui.theme(), static_cast<std::size_t>(std::max(0, row.colour))));
   ui.same_line();
   const bool is_muted = row.document == nullptr || (!row.is_shown && !row.is_active);
-  ui.cut_text(row.name, is_muted ? kit::TextLook::kMuted : kit::TextLook::kNormal, 2.0 * button);
+  const bool has_stopped = row.document != nullptr && is_incomplete(*row.document, row.is_live);
+  const double tag = has_stopped ? ui.text_width(kIncomplete) + ui.px(8.0) : 0.0;
+  const std::string name =
+      fitted_name(row.name, ui.room().width - 2.0 * button - tag,
+                  [&ui](const std::string& line) { return ui.text_width(line); });
+  ui.text(name, is_muted ? kit::TextLook::kMuted : kit::TextLook::kNormal);
+  if (name != row.name) ui.hint({row.name, ""});
   ui.same_line(0.0);
+  if (has_stopped) {
+    ui.right_align(2.0 * button + tag);
+    ui.text(kIncomplete, kit::TextLook::kWarning);
+    ui.hint({row.name + " " + incomplete_words(*row.document, row.flight_end_s), ""});
+    ui.same_line(0.0);
+  }
   ui.right_align(2.0 * button);
   if (count > 1) {
     const auto always = ui.disabled(row.is_active, "The active run always shows");
@@ -162,44 +128,64 @@ std::vector<kit::Column> columns_of(const kit::Ui& ui,
                  ui.px(52.0), ui.px(72.0));
   for (const int number : state.numbers) {
     kit::Column column;
-    column.title = name_of_run(model, number);
+    const std::string name = name_of_run(model, number);
+    const std::string fitted = fitted_name(
+        name, width - ui.px(4.0), [&ui](const std::string& line) { return ui.text_width(line); });
+    column.title = fitted == name ? name : label_of(fitted, name);
     column.align = align;
     column.width = width;
     column.decimals = kMostDecimals;
-    column.hint = {column.title, ""};
+    column.hint = {name, ""};
     columns.push_back(std::move(column));
   }
   return columns;
+}
+
+void draw_metric(kit::Ui& ui, const ShownMetric& metric, const RunsState& state) {
+  const auto& rows = state.comparison.metrics;
+  const auto row = std::find_if(rows.begin(), rows.end(),
+                                [&](const MetricRow& one) { return one.key == metric.key; });
+  if (row == rows.end()) return;
+  const auto best = best_run(metric, *row, state.comparison.is_same_flight);
+  ui.row(std::string(metric.name));
+  ui.cell(std::string(metric.statistic), kit::TextLook::kMuted);
+  const std::string help = fmt::format("{}; {}", metric.help, better_words(metric));
+  ui.hint({metric_label(metric), "", "", help});
+  for (std::size_t i = 0; i < row->values.size(); ++i) {
+    const auto& value = row->values[i];
+    if (!value) {
+      ui.number_cell("–", kit::TextLook::kMutedNumber);
+      ui.hint({"Not known for this run", ""});
+      continue;
+    }
+    const std::string digits = fmt::format("{:.{}f}", *value * metric.factor, metric.decimals);
+    const bool is_best = best == i;
+    ui.number_cell(is_best ? kBestMark + digits : digits,
+                   is_best ? kit::TextLook::kGood : kit::TextLook::kNumber);
+    if (is_best) ui.hint({"The best of these runs: " + better_words(metric), ""});
+  }
 }
 
 void draw_metrics(kit::Ui& ui, const RunsModel& model, const RunsState& state) {
   const auto section = ui.section("Errors");
   if (!section) return;
   const auto columns = columns_of(ui, model, state, "", kit::Align::kDecimal);
-  const auto table = ui.table("metrics", columns);
-  if (!table) return;
-  for (const ShownMetric& metric : kShownMetrics) {
-    const auto& rows = state.comparison.metrics;
-    const auto row = std::find_if(rows.begin(), rows.end(),
-                                  [&](const MetricRow& one) { return one.key == metric.key; });
-    if (row == rows.end()) continue;
-    const auto best = best_of(metric, *row, state.comparison.is_same_flight);
-    const std::string name(metric.name);
-    ui.row(name);
-    ui.cell(metric.unit.empty() ? name : fmt::format("{} [{}]", name, metric.unit),
-            kit::TextLook::kMuted);
-    for (std::size_t i = 0; i < row->values.size(); ++i) {
-      const auto& value = row->values[i];
-      if (!value) {
-        ui.number_cell("–", kit::TextLook::kMutedNumber);
-        continue;
-      }
-      const std::string digits = fmt::format("{:.{}f}", *value * metric.factor, metric.decimals);
-      const bool is_best = best == i;
-      ui.number_cell(is_best ? std::string(kBestMark) + digits : digits,
-                     is_best ? kit::TextLook::kGood : kit::TextLook::kNumber);
+  const auto all = shown_metrics();
+  for (std::size_t begin = 0; begin < all.size();) {
+    std::size_t end = begin;
+    while (end < all.size() && all[end].group == all[begin].group) ++end;
+    ui.text(std::string(all[begin].group), kit::TextLook::kNormal);
+    // One table in parts, so that their columns stay below each other.
+    if (const auto table = ui.table("metrics", columns, {.has_header = begin == 0})) {
+      for (; begin < end; ++begin) draw_metric(ui, all[begin], state);
     }
+    begin = end;
   }
+  if (state.numbers.size() < 2) return;
+  ui.wrapped(state.comparison.is_same_flight
+                 ? std::string(kBestMark) + " and green: the best run by this number"
+                 : std::string("Runs of different flights: none is marked as the best"),
+             kit::TextLook::kMuted);
 }
 
 void draw_settings(kit::Ui& ui, const RunsModel& model, const RunsState& state) {
@@ -226,6 +212,7 @@ void draw_settings(kit::Ui& ui, const RunsModel& model, const RunsState& state) 
 void draw_divergences(kit::Ui& ui, const RunsModel& model, const RunsState& state, Actions& asked) {
   const auto section = ui.section("Parting");
   if (!section) return;
+  ui.wrapped("First " + divergence_words(), kit::TextLook::kMuted);
   for (std::size_t i = 1; i < state.numbers.size(); ++i) {
     const int number = state.numbers[i];
     const auto scope = ui.scope(fmt::format("{}", number));
@@ -233,11 +220,13 @@ void draw_divergences(kit::Ui& ui, const RunsModel& model, const RunsState& stat
     const std::string name = name_of_run(model, number);
     if (!divergence) {
       ui.cut_text(name + " never leaves the active run", kit::TextLook::kMuted);
+      ui.hint({fmt::format("{} is nowhere {} from the active run", name, divergence_words()), ""});
       continue;
     }
     const double inside = ui.room().width - ui.px(8.0);
     kit::ListRow row;
-    row.hint = {"Go to where " + name + " first leaves the active run", ""};
+    row.hint = {"Go to where " + name + " first leaves the active run", "", "",
+                "Parted is " + divergence_words()};
     if (ui.list_row("##go", row).was_clicked) asked.emplace_back(actions::GoToDivergence{number});
     ui.same_line(0.0);
     ui.right_align(inside);

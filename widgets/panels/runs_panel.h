@@ -28,6 +28,8 @@ struct RunsModel {
         std::numeric_limits<double>::quiet_NaN();  ///< 0 to 1; NaN where nobody knows.
     std::string progress_words;
     std::optional<int> job;  ///< That computes it.
+    /// Last frame of its flight, after the run's first step; 0 where that is not known.
+    double flight_end_s = 0.0;
   };
   std::vector<Row> rows;  ///< In the order of their numbers.
   bool is_split = false;
@@ -43,7 +45,7 @@ struct RunsState {
 };
 
 /// Paths, for the second run: "Runs/2/##activate", "Runs/2/shown", "Runs/2/Close", "Runs/2/localising/Cancel"; "Runs/Split view";
-/// "Runs/Errors/metrics/RMSE/NAME"; "Runs/Settings that differ/settings/seed/NAME"; "Runs/Parting/2/##go".
+/// "Runs/Errors/metrics/position RMSE/NAME"; "Runs/Settings that differ/settings/seed/NAME"; "Runs/Parting/2/##go".
 [[nodiscard]] Actions draw_runs(kit::Ui& ui, const RunsModel& model, RunsState& state);
 
 }  // namespace nadir

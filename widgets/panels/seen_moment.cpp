@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/mcl/map_patch.h"
@@ -102,15 +103,36 @@ std::vector<std::string> seen_cell_words(const SeenCell& cell) {
   return words;
 }
 
+std::string_view camera_kind_name(CameraKind kind) {
+  constexpr std::array<std::string_view, 4> kNames = {"image", "labels", "depth", "confidence"};
+  return kNames.at(static_cast<std::size_t>(kind));
+}
+
+bool has_kind(const CameraMoment& camera, CameraKind kind) {
+  switch (kind) {
+    case CameraKind::kImage:
+      return !camera.image.empty();
+    case CameraKind::kLabels:
+      return !camera.labels.empty();
+    case CameraKind::kDepth:
+      return !camera.depth_m.empty();
+    case CameraKind::kConfidence:
+      break;
+  }
+  return false;
+}
+
+Raster<Rgba> label_picture(const Raster<ClassId>& labels) {
+  Raster<Rgba> picture = class_picture(labels);
+  for (Rgba& pixel : picture.values()) {
+    if (pixel.alpha == 0) pixel = {0, 0, 0};
+  }
+  return picture;
+}
+
 Raster<Rgba> camera_picture(const CameraMoment& camera, double label_opacity) {
   const Raster<ClassId>& labels = camera.labels;
-  if (camera.image.empty()) {
-    Raster<Rgba> picture = class_picture(labels);
-    for (Rgba& pixel : picture.values()) {
-      if (pixel.alpha == 0) pixel = {0, 0, 0};
-    }
-    return picture;
-  }
+  if (camera.image.empty()) return label_picture(labels);
   Raster<Rgba> picture = colour_picture(camera.image);
   if (labels.empty() || !(label_opacity > 0.0)) return picture;
   const double share = std::min(label_opacity, 1.0);
@@ -147,8 +169,20 @@ const Picture& CameraPictureCache::of(const std::shared_ptr<const CameraMoment>&
   const auto& shown = camera ? camera : camera_;
   if (!shown) return picture_;
   if (shown == camera_ && kind == kind_ && label_opacity == label_opacity_) return picture_;
-  picture_ = kind == CameraKind::kDepth ? picture_of(depth_picture(shown->depth_m))
-                                        : picture_of(camera_picture(*shown, label_opacity), true);
+  switch (kind) {
+    case CameraKind::kImage:
+      picture_ = picture_of(camera_picture(*shown, label_opacity), true);
+      break;
+    case CameraKind::kLabels:
+      picture_ = picture_of(label_picture(shown->labels));
+      break;
+    case CameraKind::kDepth:
+      picture_ = picture_of(depth_picture(shown->depth_m));
+      break;
+    case CameraKind::kConfidence:
+      picture_ = {};
+      break;
+  }
   camera_ = shown;
   kind_ = kind;
   label_opacity_ = label_opacity;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/map/map_index.h"
@@ -54,7 +55,11 @@ struct SeenCell {
 [[nodiscard]] std::vector<std::string> seen_cell_words(const SeenCell& cell);
 
 /// How camera frames are shown.
-enum class CameraKind { kImage, kDepth };
+enum class CameraKind { kImage, kLabels, kDepth, kConfidence };
+/// What a kind shows: "image", "labels", "depth", "confidence".
+[[nodiscard]] std::string_view camera_kind_name(CameraKind kind);
+/// Whether a frame has what a kind shows. No flight format has a confidence yet.
+[[nodiscard]] bool has_kind(const CameraMoment& camera, CameraKind kind);
 
 /// Pictures of the last camera frame, made again when frame, kind or opacity change.
 class CameraPictureCache {
@@ -72,6 +77,8 @@ class CameraPictureCache {
   Picture picture_;
 };
 
+/// Each class in its colour; black where there is none.
+[[nodiscard]] Raster<Rgba> label_picture(const Raster<ClassId>& labels);
 /// The image with the labels over it, or the labels alone where there is no image; empty where there is neither.
 [[nodiscard]] Raster<Rgba> camera_picture(const CameraMoment& camera, double label_opacity);
 /// Near is light, far is dark, on a logarithmic scale from 0.5 to 100 m; clear where there is no depth.

@@ -119,6 +119,18 @@ std::string setting_text(double value, int decimals) {
   return text == "-0" ? "0" : text;
 }
 
+std::string why_refused(const SettingRow& row, const std::string& text) {
+  RunOptions options;
+  const auto set = set_option(options, row.name, text);
+  if (set) return {};
+  std::string_view why = set.error().message;
+  for (const std::string& before : {"--" + row.name + ": ", row.name + ": "}) {
+    if (why.starts_with(before)) why.remove_prefix(before.size());
+  }
+  const std::string unit = row.unit.empty() ? std::string() : " " + row.unit;
+  return fmt::format("{}{}. The run keeps {}{}.", why, unit, row.value, unit);
+}
+
 bool fits_search(const SettingRow& row, std::string_view typed) {
   return has_words(fmt::format("{} {} {} {}", row.name, row.help, row.group, row.unit), typed);
 }

@@ -16,8 +16,10 @@ struct SettingRow {
   enum class Kind { kNumber, kWhole, kBigWhole, kSwitch, kChoice, kText };
   Kind kind = Kind::kNumber;
   std::string name, unit, help, range;
-  std::string value;         ///< Of the draft, as text.
-  std::string preset_value;  ///< Of the preset.
+  std::string value;  ///< Of the draft, as text.
+  std::string
+      preset_value;  ///< Of the preset, or of the run whose options the draft's differ from.
+  std::string base = "preset";  ///< Which of the two: "preset" or "run".
   std::string group;
   double least = 0.0, most = 0.0;    ///< Of numbers; infinite where open.
   std::vector<std::string> choices;  ///< Of kChoice.
@@ -34,6 +36,9 @@ struct SettingRow {
 [[nodiscard]] double setting_step(const SettingRow& row);
 /// A number as set_option() takes it, without needless zeros: "0.05", "12000".
 [[nodiscard]] std::string setting_text(double value, int decimals);
+
+/// Why a text cannot be an option's value, with its range and unit; empty: it can.
+[[nodiscard]] std::string why_refused(const SettingRow& row, const std::string& text);
 
 /// Whether all words typed are in name, help, group or unit.
 [[nodiscard]] bool fits_search(const SettingRow& row, std::string_view typed);

@@ -25,7 +25,7 @@ double value_in(const std::string& text) {
 kit::Hint hint_of(const SettingRow& row) {
   std::string text = row.help;
   if (!row.range.empty()) text += fmt::format("; {}", row.range);
-  text += fmt::format("; preset {}", row.preset_value);
+  text += fmt::format("; {} {}", row.base, row.preset_value);
   return {text, "", row.unit};
 }
 
@@ -39,7 +39,13 @@ void set_to(const SettingRow& row, const std::string& value, Actions& asked) {
   }
 }
 
-void draw_number(kit::Ui& ui, const SettingRow& row, Actions& asked) {
+/// What was typed last and not taken; empty: nothing.
+std::string refused_in(const SettingRow& row, const SettingsState& state) {
+  const auto found = state.refused.find(row.name);
+  return found == state.refused.end() ? std::string() : found->second;
+}
+
+void draw_number(kit::Ui& ui, const SettingRow& row, SettingsState& state, Actions& asked) {
   const int decimals = setting_decimals(row);
   kit::NumberOptions options;
   options.least = row.least;
@@ -50,7 +56,20 @@ void draw_number(kit::Ui& ui, const SettingRow& row, Actions& asked) {
   options.per_pixel = std::max(options.step / 10.0, std::pow(10.0, -decimals));
   options.reset = value_in(row.preset_value);
   options.hint = hint_of(row);
+  options.refuses = true;
+  options.refused = refused_in(row, state);
   const auto edit = ui.number_input(row.name, value_in(row.value), options);
+  if (!edit.refused.empty()) {
+    state.refused[row.name] = edit.refused;
+    return;
+  }
+  const bool is_broken = row.kind == SettingRow::Kind::kWhole && edit.was_committed &&
+                         edit.value != std::round(edit.value);
+  if (is_broken) {
+    state.refused[row.name] = fmt::format("{:g}", edit.value);
+    return;
+  }
+  if (edit.was_ended || edit.was_committed) state.refused.erase(row.name);
   if (!edit.was_committed) return;
   if (edit.was_reset) {
     if (row.differs()) asked.emplace_back(actions::SetOption{row.name, {}});
@@ -62,11 +81,25 @@ void draw_number(kit::Ui& ui, const SettingRow& row, Actions& asked) {
          asked);
 }
 
-void draw_control(kit::Ui& ui, const SettingRow& row, Actions& asked) {
+void draw_text(kit::Ui& ui, const SettingRow& row, SettingsState& state, Actions& asked) {
+  kit::TextOptions options;
+  options.hint = hint_of(row);
+  const std::string refused = refused_in(row, state);
+  const auto edit = ui.text_input(row.name, refused.empty() ? row.value : refused, options);
+  if (!edit.was_committed || edit.was_cancelled) return;
+  if (why_refused(row, edit.value).empty()) {
+    state.refused.erase(row.name);
+    set_to(row, edit.value, asked);
+  } else {
+    state.refused[row.name] = edit.value;
+  }
+}
+
+void draw_control(kit::Ui& ui, const SettingRow& row, SettingsState& state, Actions& asked) {
   switch (row.kind) {
     case SettingRow::Kind::kNumber:
     case SettingRow::Kind::kWhole:
-      return draw_number(ui, row, asked);
+      return draw_number(ui, row, state, asked);
     case SettingRow::Kind::kSwitch: {
       const auto is_on = ui.checkbox(row.name, row.value == "true", hint_of(row));
       if (is_on) set_to(row, *is_on ? "true" : "false", asked);
@@ -80,33 +113,32 @@ void draw_control(kit::Ui& ui, const SettingRow& row, Actions& asked) {
       return;
     }
     case SettingRow::Kind::kBigWhole:
-    case SettingRow::Kind::kText: {
-      kit::TextOptions options;
-      options.hint = hint_of(row);
-      const auto edit = ui.text_input(row.name, row.value, options);
-      if (edit.was_committed && !edit.was_cancelled) set_to(row, edit.value, asked);
-      return;
-    }
+    case SettingRow::Kind::kText:
+      return draw_text(ui, row, state, asked);
   }
 }
 
-/// The control, and where it differs from the preset a button that takes that back.
-void draw_row(kit::Ui& ui, const SettingRow& row, Actions& asked) {
+/// The control, where it differs from the preset a button that takes that back, and why what was typed is not taken.
+void draw_row(kit::Ui& ui, const SettingRow& row, SettingsState& state, Actions& asked) {
   const double button = ui.px(28.0);
   ui.next_width(row.kind == SettingRow::Kind::kSwitch
                     ? 0.0
                     : std::max(ui.px(64.0), ui.room().width - button - ui.px(8.0)));
-  draw_control(ui, row, asked);
-  if (!row.differs()) return;
-  ui.same_line();
-  ui.right_align(button);
-  if (ui.icon_button(fmt::format("Reset {}", row.name), kit::Icon::kUndo,
-                     {fmt::format("Back to the preset's {}", row.preset_value), ""})) {
-    asked.emplace_back(actions::SetOption{row.name, {}});
+  draw_control(ui, row, state, asked);
+  const std::string refused = refused_in(row, state);
+  if (row.differs() || !refused.empty()) {
+    ui.same_line();
+    ui.right_align(button);
+    if (ui.icon_button(fmt::format("Reset {}", row.name), kit::Icon::kUndo,
+                       {fmt::format("Back to the {}'s {}", row.base, row.preset_value), ""})) {
+      state.refused.erase(row.name);
+      if (row.differs()) asked.emplace_back(actions::SetOption{row.name, {}});
+    }
   }
+  if (!refused.empty()) ui.wrapped(why_refused(row, refused), kit::TextLook::kBad);
 }
 
-void draw_presets(kit::Ui& ui, const SettingsModel& model, SettingsState& state, Actions& asked) {
+void draw_presets(kit::Ui& ui, const SettingsModel& model, Actions& asked) {
   const auto now = std::find(model.presets.begin(), model.presets.end(), model.preset);
   std::vector<std::string> titles;
   for (const std::string& preset : model.presets)
@@ -115,17 +147,11 @@ void draw_presets(kit::Ui& ui, const SettingsModel& model, SettingsState& state,
       ui.combo("preset", titles, static_cast<std::size_t>(now - model.presets.begin()),
                {"What all options are taken from; changes are lost", ""});
   if (chosen) asked.emplace_back(actions::UsePreset{model.presets.at(*chosen)});
-  if (const auto save = ui.section("Save as a recipe", false)) {
-    kit::TextOptions options;
-    options.placeholder = "recipe.toml";
-    options.hint = {"A file that nadir localise takes, and that can be dropped on the window", ""};
-    const auto edit = ui.text_input("file", state.preset_file, options);
-    state.preset_file = edit.value;
-    const auto off = ui.disabled(state.preset_file.empty(), "type the file's name first");
-    if (ui.button("Save preset", kit::ButtonLook::kNormal,
-                  {"Write all options of the next run into this file", ""}, kit::Icon::kSave)) {
-      asked.emplace_back(actions::SavePreset{state.preset_file});
-    }
+  if (ui.button(
+          "Save as a recipe…", kit::ButtonLook::kQuiet,
+          {"A file with these options that nadir localise takes, and that this window opens", ""},
+          kit::Icon::kSave)) {
+    asked.emplace_back(actions::ShowOverlay{Overlay::kSaveRecipe});
   }
 }
 
@@ -159,15 +185,16 @@ Actions draw_settings_panel(kit::Ui& ui, const SettingsModel& model, SettingsSta
   draw_rerun(ui, model, asked);
   if (!model.fault.empty()) ui.wrapped(model.fault, kit::TextLook::kBad);
   ui.space();
-  draw_presets(ui, model, state, asked);
+  draw_presets(ui, model, asked);
   ui.line();
   kit::TextOptions search;
   search.placeholder = "Find an option";
   state.search = ui.search_input("Search", state.search, search).value;
   const auto differing = std::count_if(model.rows.begin(), model.rows.end(),
                                        [](const SettingRow& row) { return row.differs(); });
+  const std::string base = model.rows.empty() ? "preset" : model.rows.front().base;
   const auto only = ui.checkbox("only changed", state.shows_only_changed,
-                                {fmt::format("Options whose value is not the preset's: {} of {}",
+                                {fmt::format("Options whose value is not the {}'s: {} of {}", base,
                                              differing, model.rows.size()),
                                  ""});
   if (only) state.shows_only_changed = *only;
@@ -180,7 +207,7 @@ Actions draw_settings_panel(kit::Ui& ui, const SettingsModel& model, SettingsSta
           fmt::format("No option has “{}” in its name or help.", shortened(state.search, 40)),
           kit::TextLook::kMuted);
     } else {
-      ui.text("All options are the preset's.", kit::TextLook::kMuted);
+      ui.text(fmt::format("All options are the {}'s.", base), kit::TextLook::kMuted);
     }
     return asked;
   }
@@ -195,7 +222,7 @@ Actions draw_settings_panel(kit::Ui& ui, const SettingsModel& model, SettingsSta
       if (const auto group =
               ui.section(row->group, true, changed > 0 ? fmt::format("{} changed", changed) : "")) {
         for (; row != end; ++row) {
-          if (is_shown(*row)) draw_row(ui, *row, asked);
+          if (is_shown(*row)) draw_row(ui, *row, state, asked);
         }
       }
     }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
+#include <string>
+#include <vector>
+
 #include "core/session/action.h"
 #include "core/session/session.h"
 #include "widgets/kit/ui.h"
@@ -21,8 +25,9 @@ struct SettingsModel {
 
 struct SettingsState {
   std::string search;
-  std::string preset_file;  ///< Typed for "Save preset".
   bool shows_only_changed = false;
+  std::map<std::string, std::string>
+      refused;  ///< By option: typed and not taken, until it is corrected.
 };
 
 /// All options of the next run, and the buttons that start it. One step of undo a drag.

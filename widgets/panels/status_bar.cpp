@@ -8,13 +8,14 @@
 #include <cmath>
 
 #include "widgets/panels/panel_text.h"
+#include "widgets/panels/run_labels.h"
 #include "widgets/views/theme.h"
 
 namespace nadir {
 namespace {
 
 constexpr double kGap = 20.0, kBarWidth = 72.0, kBarHeight = 4.0, kButtonSide = 28.0,
-                 kMargin = 12.0, kTextHeight = 20.0;
+                 kMargin = 12.0, kTextHeight = 20.0, kWarningGap = 6.0, kWarningIcon = 20.0;
 
 /// A read-out of the bar, left out as a whole where there is no room.
 struct StatusItem {
@@ -75,6 +76,43 @@ void draw_place(kit::Ui& ui, const PlaceReadOut& place, double room) {
   return words;
 }
 
+/// What became of what is open, in a few words.
+struct KeptWords {
+  std::string text, hint;
+  kit::TextLook look = kit::TextLook::kMuted;
+};
+[[nodiscard]] KeptWords kept_words(const StatusBarModel& model) {
+  if (!model.saving_fault.empty()) {
+    return {"not saved: try again",
+            "What is open cannot be kept for the next start: " + model.saving_fault,
+            kit::TextLook::kWarning};
+  }
+  if (model.is_recording) {
+    return {"recording", "The run is being written, step by step", kit::TextLook::kAccent};
+  }
+  if (!model.incomplete.empty()) {
+    return {"incomplete run", model.incomplete, kit::TextLook::kWarning};
+  }
+  return {"saved", "Session and preferences are written as you work; there is nothing to save"};
+}
+
+[[nodiscard]] double kept_width(const kit::Ui& ui, const StatusBarModel& model) {
+  const double icon = model.saving_fault.empty() ? 0.0 : ui.px(kWarningIcon + kWarningGap);
+  return ui.text_width(kept_words(model).text) + icon;
+}
+
+void draw_kept(kit::Ui& ui, const StatusBarModel& model, Actions& asked) {
+  const KeptWords words = kept_words(model);
+  if (model.saving_fault.empty()) {
+    ui.text(words.text, words.look);
+    ui.hint({.text = words.hint});
+    return;
+  }
+  ui.icon(kit::Icon::kWarning, words.look);
+  ui.same_line(ui.px(kWarningGap));
+  if (ui.link(words.text, {.text = words.hint})) asked.emplace_back(actions::SaveNow{});
+}
+
 /// Title, bar, share and a button that stops the newest job; as wide as job_width().
 [[nodiscard]] bool draw_job(kit::Ui& ui, const std::vector<JobStatus>& jobs, double gap) {
   const JobStatus& newest = jobs.back();
@@ -105,12 +143,35 @@ void draw_place(kit::Ui& ui, const PlaceReadOut& place, double room) {
          ui.text_width(percent_text(0.0), kit::TextLook::kNumber) + ui.px(kButtonSide + 3.0 * 8.0);
 }
 
-}  // namespace
-
-PlaceReadOut place_read_out(const OverheadMap& map, const Eigen::Vector2d& point_in_enu_m) {
+/// The read-outs that a plane alone gives; the class is said by the caller.
+PlaceReadOut place_on(const ProjectPlane& plane, const Eigen::Vector2d& point_in_enu_m) {
   PlaceReadOut place;
   place.east_m = point_in_enu_m.x();
   place.north_m = point_in_enu_m.y();
+  const Geodetic position = plane.geodetic_from_enu(point_in_enu_m);
+  place.geodetic = geodetic_text(position);
+  place.utm = utm_text(position);
+  place.mgrs = mgrs_text(position);
+  return place;
+}
+
+/// Without a map there are the places of the run.
+void say_run_without_map(const OpenRun& run,
+                         const std::optional<Eigen::Vector2d>& cursor_in_enu_m,
+                         StatusBarModel& model) {
+  model.hint = fmt::format("{} is open, but no map: open one to see the ground", run.name);
+  if (!run.document || !cursor_in_enu_m) return;
+  const RunHeader& header = run.document->header;
+  const auto plane = ProjectPlane::create({header.plane_latitude_deg, header.plane_longitude_deg});
+  if (!plane) return;
+  model.place = place_on(*plane, *cursor_in_enu_m);
+  model.place->class_name = "no map is open";
+}
+
+}  // namespace
+
+PlaceReadOut place_read_out(const OverheadMap& map, const Eigen::Vector2d& point_in_enu_m) {
+  PlaceReadOut place = place_on(map.plane, point_in_enu_m);
   if (map.contains(point_in_enu_m)) {
     const ClassId id = map.class_at(point_in_enu_m);
     place.class_name = class_info(id).name;
@@ -118,10 +179,6 @@ PlaceReadOut place_read_out(const OverheadMap& map, const Eigen::Vector2d& point
   } else {
     place.class_name = "outside of the map";
   }
-  const Geodetic position = map.plane.geodetic_from_enu(point_in_enu_m);
-  place.geodetic = geodetic_text(position);
-  place.utm = utm_text(position);
-  place.mgrs = mgrs_text(position);
   return place;
 }
 
@@ -130,7 +187,11 @@ StatusBarModel status_bar_model(const Session& session,
   StatusBarModel model;
   const OpenMap* const map = session.map();
   if (map == nullptr) {
-    model.hint = "Nothing is open";
+    model.hint = session.view().flight_path.empty() ? "Nothing is open"
+                                                    : "A flight is open, but not its map";
+    if (const OpenRun* const open = session.active_run()) {
+      say_run_without_map(*open, cursor_in_enu_m, model);
+    }
   } else if (!map->index) {
     model.hint = "The map is being read";
   } else if (cursor_in_enu_m) {
@@ -140,8 +201,12 @@ StatusBarModel status_bar_model(const Session& session,
   }
   const OpenRun* const run = session.active_run();
   model.is_recording = run != nullptr && run->is_live;
+  if (run != nullptr && run->document && is_incomplete(*run->document, run->is_live)) {
+    model.incomplete = run->name + " is incomplete: " + incomplete_words(*run->document);
+  }
   model.memory_used_bytes = session.memory_used_bytes();
   model.memory_megabytes = session.memory_budget_megabytes();
+  model.saving_fault = session.saving_fault();
   model.jobs = session.jobs();
   return model;
 }
@@ -149,10 +214,9 @@ StatusBarModel status_bar_model(const Session& session,
 Actions draw_status_bar(kit::Ui& ui, const StatusBarModel& model) {
   const auto scope = ui.scope("Status");
   Actions asked;
-  const std::string saved = model.is_recording ? "recording" : "saved";
-  const std::string memory = memory_text(model.memory_used_bytes);
+  const std::string memory = memory_text(model.memory_used_bytes + model.drawn_bytes);
   const double gap = ui.px(kGap);
-  const double words = ui.text_width(saved) + gap + ui.text_width(memory, kit::TextLook::kNumber);
+  const double words = kept_width(ui, model) + gap + ui.text_width(memory, kit::TextLook::kNumber);
   const double job = job_width(ui, model.jobs, gap);
   const double margin = ui.px(kMargin);
   const kit::Rect bar = ui.room();
@@ -168,14 +232,13 @@ Actions draw_status_bar(kit::Ui& ui, const StatusBarModel& model) {
   }
   ui.same_line();
   ui.right_align(words + job + margin);
-  ui.text(saved, model.is_recording ? kit::TextLook::kAccent : kit::TextLook::kMuted);
-  ui.hint({.text = model.is_recording ? "The run is being written, step by step"
-                                      : "Everything is kept as you work; there is nothing to save",
-           .shortcut = {}});
+  draw_kept(ui, model, asked);
   ui.same_line(gap);
   ui.text(memory, kit::TextLook::kMutedNumber);
-  ui.hint({.text = fmt::format("Memory for what is decoded of runs and flights, of at most {} MB",
-                               model.memory_megabytes),
+  ui.hint({.text = fmt::format("Memory: {} for what is decoded of runs and flights, of at most "
+                               "{} MB; {} for the map's tiles and other pictures",
+                               memory_text(model.memory_used_bytes), model.memory_megabytes,
+                               memory_text(model.drawn_bytes)),
            .shortcut = {}});
   if (!model.jobs.empty() && draw_job(ui, model.jobs, gap)) {
     asked.emplace_back(actions::CancelJob{model.jobs.back().number});

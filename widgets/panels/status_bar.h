@@ -23,9 +23,12 @@ struct StatusBarModel {
   std::optional<PlaceReadOut> place;  ///< Under the pointer.
   std::string hint;                   ///< Said where there is none.
   bool is_recording = false;          ///< The active run is being written.
-  std::size_t memory_used_bytes = 0;
-  int memory_megabytes = 0;     ///< Most that may be used for what is decoded.
-  std::vector<JobStatus> jobs;  ///< The newest last.
+  std::string saving_fault = {};      ///< Why what is open could not be kept; empty: it is.
+  std::string incomplete;  ///< How the active run was stopped before its end; empty: it was not.
+  std::size_t memory_used_bytes = 0;  ///< For what is decoded of runs and flights.
+  std::size_t drawn_bytes = 0;        ///< For what is drawn: the map's tiles, pictures of panels.
+  int memory_megabytes = 0;           ///< Most that may be used for what is decoded.
+  std::vector<JobStatus> jobs;        ///< The newest last.
 };
 
 /// Height of the design.

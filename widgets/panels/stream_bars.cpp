@@ -83,11 +83,11 @@ std::vector<StreamBar> stream_bars(const TimelineModel& model) {
   }
   bars.push_back(bar_of("topview", seen));
   bars.push_back(bar_of("steps", run.time_s, run.gaps));
-  std::erase_if(bars, [](const StreamBar& bar) { return bar.samples == 0; });
   return bars;
 }
 
 std::string stream_words(const StreamBar& stream) {
+  if (stream.samples == 0) return stream.name + ": missing";
   std::string words = fmt::format("{}: {} {}", stream.name, stream.samples,
                                   stream.samples == 1 ? "sample" : "samples");
   const auto gap = stream.longest_gap();

@@ -28,10 +28,10 @@ struct StreamBar {
   [[nodiscard]] std::optional<TimeSpan> longest_gap() const;
 };
 
-/// Streams that the flight has, then those that the run has recorded; those without any sample are left out.
+/// Streams of the flight, where it is open, then those of the run; one without any sample is missing.
 [[nodiscard]] std::vector<StreamBar> stream_bars(const TimelineModel& model);
 
-/// What a tooltip says of a stream: "depth: 1,204 samples, longest gap 2.1 s at 00:42.0".
+/// What a tooltip says of a stream: "depth: 1204 samples, 1 gap, the longest 2.1 s at 00:42.0"; "depth: missing".
 [[nodiscard]] std::string stream_words(const StreamBar& stream);
 
 }  // namespace nadir

@@ -17,7 +17,7 @@ namespace {
 constexpr double kMsPerS = 1000.0;
 constexpr double kPercentOfCells = 100.0;
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;
-constexpr double kNeesFreedom = 3.0;
+
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// Where a few values are so many times larger than nearly all others, the strip shows those others and cuts the few off.
 constexpr double kMostOverUsual = 3.0, kUsualShare = 0.98, kRoomAboveUsual = 1.5;
@@ -32,8 +32,8 @@ constexpr std::array<StripInfo, kStripCount> kStripInfos = {{
      "How many equal particles would say as much; all particles in grey"},
     {"Agreement", "%", "Share of seen cells whose class is the map's at the estimate"},
     {"NEES", "",
-     "Squared error in the filter's own sigmas: 3 if it knows itself, red where it is "
-     "over-confident"},
+     "Squared error of each step in the filter's own sigmas: x, y and heading; dashed the 95 % "
+     "chi-square bounds 0.22 and 9.35 (3 degrees of freedom), red above"},
     {"Update time", "ms", "Computing time of a step; the line is the time between steps"},
     {"Streams", "", "What the flight and the run have at each moment"},
 }};
@@ -126,8 +126,9 @@ void fit_nees(StripPlot& plot, const std::vector<double>& values) {
   constexpr double kMostHigh = 1e6;
   while (plot.high < largest && plot.high < kMostHigh) plot.high *= 10.0;
   if (largest > plot.high) plot.cut_off = largest;
-  plot.levels.push_back({chi_square_quantile(0.975, kNeesFreedom), true});
-  plot.levels.push_back({chi_square_quantile(0.025, kNeesFreedom), true});
+  const StepNeesBounds bounds = step_nees_bounds();
+  plot.levels.push_back({bounds.upper, true});
+  plot.levels.push_back({bounds.lower, false});  // to be cautious harms nobody
 }
 
 /// The time between steps, where it is not far above what the updates took.
@@ -237,6 +238,11 @@ std::string strip_value(Strip strip, const TimelineRun& run, double moment_s) {
   if (strip == Strip::kSigma) return main + " " + with_decimals(numbers.second, decimals);
   if (strip == Strip::kSampleSize) return main + "/" + with_decimals(numbers.second, decimals);
   return main;
+}
+
+std::string short_strip_value(Strip strip, const TimelineRun& run, double moment_s) {
+  return with_decimals(strip_numbers(strip, run, moment_s).main,
+                       kDecimals.at(static_cast<std::size_t>(strip)));
 }
 
 PointLine above(const PointLine& line, double limit) {

@@ -64,6 +64,9 @@ struct StripNumbers {
 /// The same with as many digits as are known, without the unit: "0.42", "0.42 0.31", "1234/10000"; "–" where not known.
 [[nodiscard]] std::string strip_value(Strip strip, const TimelineRun& run, double moment_s);
 
+/// The main value alone, where there is little room.
+[[nodiscard]] std::string short_strip_value(Strip strip, const TimelineRun& run, double moment_s);
+
 /// The parts of a line above a limit, cut where it crosses it; NaN between them.
 [[nodiscard]] PointLine above(const PointLine& line, double limit);
 

@@ -11,15 +11,7 @@
 namespace nadir::detail {
 namespace {
 
-constexpr double kTextSize = 13.0, kSmallSize = 11.0, kTwoLines = 34.0;  // of the design
-
-TextStyle words_style(const kit::Ui& ui, FontFace face, double size, Rgba colour) {
-  TextStyle style;
-  style.face = face;
-  style.size_px = ui.px(size);
-  style.colour = colour;
-  return style;
-}
+constexpr double kSmallText = 11.0, kTwoLinesFrom = 34.0;  // of the design
 
 /// The lines in their colours, those of other runs below; what is one point alone is a dot.
 void draw_curve(const TimelineFrame& frame,
@@ -98,6 +90,11 @@ void draw_streams(const TimelineFrame& frame,
                right = frame.axis.right_px() - area.rect.left;
   for (std::size_t i = 0; i < streams.size(); ++i) {
     const double y = area.rect.height - padding - (static_cast<double>(i) + 0.5) * pitch;
+    if (streams[i].samples == 0) {  // it is missing from beginning to end
+      const std::array<Eigen::Vector2d, 2> none = {Eigen::Vector2d{left, y}, {right, y}};
+      const double dash = frame.ui.px(2.0);
+      canvas.stroke(none, {with_opacity(theme.warning, 0.5), 1.0, {dash, 3.0 * dash}});
+    }
     for (const TimeSpan& span : streams[i].spans) {
       const double from = std::max(left, frame.axis.x_px(span.from_s) - area.rect.left);
       const double to =
@@ -135,66 +132,6 @@ void draw_values_at_cursor(const TimelineFrame& frame,
   }
 }
 
-/// What the streams' strip says at the cursor.
-std::string missing_words(const std::vector<StreamBar>& streams, double moment_s) {
-  std::string missing;
-  for (const StreamBar& stream : streams) {
-    if (!stream.is_there(moment_s)) missing += (missing.empty() ? "no " : ", ") + stream.name;
-  }
-  return missing.empty() && !streams.empty() ? "all there" : missing;
-}
-
-/// Name, unit, values at the cursor and the ends of the axis, left of the plot.
-void draw_gutter(const TimelineFrame& frame,
-                 Canvas& canvas,
-                 const kit::AreaInput& area,
-                 Strip strip,
-                 const StripPlot& plot) {
-  kit::Ui& ui = frame.ui;
-  const Theme& theme = ui.theme();
-  const StripInfo& info = strip_info(strip);
-  const double right = frame.axis.left_px - area.rect.left - ui.px(8.0);
-  const double height = area.rect.height;
-  const bool has_two_lines = height >= ui.px(kTwoLines);
-  const double name_y =
-      std::floor(has_two_lines ? height / 2.0 + ui.px(4.0) : height / 2.0 - ui.px(5.0));
-  const TextStyle name_style = words_style(ui, FontFace::kText, kTextSize, theme.text);
-  const std::string name(info.name);
-  const double left = ui.px(4.0);
-  canvas.push_clip({0.0, 0.0, right + ui.px(2.0), height});
-  canvas.text({left, name_y}, name, name_style);
-  if (!info.unit.empty() && has_two_lines) {
-    const double x = left + measure_text(name, name_style).width + ui.px(6.0);
-    canvas.text({std::floor(x), name_y}, std::string(info.unit),
-                words_style(ui, FontFace::kText, kTextSize, theme.muted));
-  }
-  if (has_two_lines) {
-    const TextStyle number_style = words_style(ui, FontFace::kNumbers, kTextSize, theme.text);
-    const double value_y = std::floor(height / 2.0 - ui.px(14.0));
-    if (strip == Strip::kStreams) {
-      const std::string words = missing_words(*frame.state.streams, frame.model.time_s);
-      const Rgba colour = words == "all there" ? theme.muted : theme.warning;
-      canvas.text({left, value_y}, words, words_style(ui, FontFace::kText, kTextSize, colour));
-    }
-    double x = left;
-    for (auto run = frame.model.runs.rbegin();
-         run != frame.model.runs.rend() && strip != Strip::kStreams; ++run) {
-      TextStyle style = number_style;
-      if (frame.model.runs.size() > 1) style.colour = frame.colour_of(run->colour);
-      const std::string value = strip_value(strip, *run, frame.model.time_s);
-      canvas.text({std::floor(x), value_y}, value, style);
-      x += measure_text(value, style).width + ui.px(10.0);
-    }
-    if (strip != Strip::kStreams) {
-      TextStyle small = words_style(ui, FontFace::kNumbers, kSmallSize, theme.muted);
-      small.align = TextAlign::kRight;
-      canvas.text({right, std::floor(height - ui.px(11.0))}, fmt::format("{:g}", plot.high), small);
-      canvas.text({right, std::floor(ui.px(3.0))}, fmt::format("{:g}", plot.low), small);
-    }
-  }
-  canvas.pop_clip();
-}
-
 }  // namespace
 
 void draw_strip_picture(const TimelineFrame& frame,
@@ -212,12 +149,16 @@ void draw_strip_picture(const TimelineFrame& frame,
     draw_levels(frame, canvas, area, plot);
     for (const StripCurve& curve : plot.curves) draw_curve(frame, canvas, area, plot, curve);
   }
+  draw_ends(frame, canvas, area);
   draw_moments(frame, canvas, area);
   if (strip != Strip::kStreams) draw_values_at_cursor(frame, canvas, area, strip, plot);
   canvas.pop_clip();
   draw_gutter(frame, canvas, area, strip, plot);
-  if (!plot.cut_off || area.rect.height < ui.px(kTwoLines)) return;
-  TextStyle style = words_style(ui, FontFace::kNumbers, kSmallSize, ui.theme().muted);
+  if (!plot.cut_off || area.rect.height < ui.px(kTwoLinesFrom)) return;
+  TextStyle style;
+  style.face = FontFace::kNumbers;
+  style.size_px = ui.px(kSmallText);
+  style.colour = ui.theme().muted;
   style.align = TextAlign::kRight;
   const double x = frame.axis.right_px() - area.rect.left - ui.px(4.0);
   canvas.text({std::floor(x), std::floor(area.rect.height - ui.px(12.0))},

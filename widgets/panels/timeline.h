@@ -32,6 +32,7 @@ struct TimelineState {
   // What the user is doing.
   bool is_scrubbing = false;           ///< The left button is held on a strip or on the ruler.
   std::optional<double> loop_start_s;  ///< Where a drag that marks a loop began.
+  std::optional<double> menu_s;        ///< Where the ruler's menu was opened.
   std::optional<Strip> moved_strip;    ///< Dragged by its name.
   std::optional<TimeSpan> zoomed_to;   ///< Part of the axis that shows; nothing: all of it.
   std::optional<double> hovered_s;     ///< Moment under the mouse, as of the last frame.
@@ -44,7 +45,8 @@ struct TimelineState {
 /// Paths: "Timeline/First", "Step back", "Play", "Step on", "Last", "Speed", "Time", "Loop off", "Previous worst moment",
 /// "Next worst moment", "Bookmark", "Strips/…"; "Timeline/Ruler"; the strips by their names as actions have them,
 /// "Timeline/position-error" and "Timeline/position-error height". A left drag on ruler or strips scrubs, one with Shift, or
-/// of the right button, on the ruler marks the loop; the wheel on the ruler, or with Ctrl, zooms the axis.
+/// of the right button, on the ruler marks the loop; the wheel on the ruler, or with Ctrl, zooms the axis. In the lower half of
+/// the ruler a press on a mark goes to its very moment.
 [[nodiscard]] Actions draw_timeline(kit::Ui& ui, const TimelineModel& model, TimelineState& state);
 
 }  // namespace nadir

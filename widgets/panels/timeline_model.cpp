@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/session/session.h"
+#include "widgets/panels/run_labels.h"
 
 namespace nadir {
 
@@ -17,14 +18,18 @@ TimelineModel::Extent TimelineModel::extent() const {
     extent.from_s = std::min(extent.from_s, run.offset_s);
     extent.to_s = std::max(extent.to_s, run.offset_s + run.document->duration_s());
     if (run.is_active) extent.last_s = run.document->duration_s();
-    const bool is_begun = !run.document->time_s.empty();
-    if (run.is_live && is_begun && flight != nullptr && !flight->description().frames.empty()) {
-      const double end_s = flight->description().frames.back().time_s - run.document->start_clock_s;
-      extent.to_s = std::max(extent.to_s, run.offset_s + end_s);
+    if (run.is_live || (run.is_active && run.is_incomplete)) {
+      extent.to_s = std::max(extent.to_s, run.offset_s + flight_end_s(run));
     }
   }
   if (!(extent.to_s > extent.from_s)) extent.to_s = extent.from_s + 1.0;  // one step, or none
   return extent;
+}
+
+double TimelineModel::flight_end_s(const TimelineRun& run) const {
+  const bool is_begun = !run.document->time_s.empty();
+  if (!is_begun || flight == nullptr || flight->description().frames.empty()) return 0.0;
+  return flight->description().frames.back().time_s - run.document->start_clock_s;
 }
 
 TimelineModel timeline_model(const Session& session) {
@@ -55,7 +60,8 @@ TimelineModel timeline_model(const Session& session) {
                                 ? 0.0
                                 : run.document->time_in(*active->document, 0.0);
     model.runs.push_back({static_cast<int>(i) + 1, run.name, view.runs[i].colour, is_active,
-                          run.is_live, offset_s, run.document});
+                          run.is_live, offset_s, run.document,
+                          is_incomplete(*run.document, run.is_live)});
   }
   std::stable_sort(
       model.runs.begin(), model.runs.end(),

@@ -25,6 +25,7 @@ struct TimelineRun {
   bool is_active = false, is_live = false;
   double offset_s = 0.0;  ///< Added to the run's own times it gives the timeline's.
   std::shared_ptr<const RunDocument> document;  ///< Not null.
+  bool is_incomplete = false;                   ///< It was stopped or killed before its end.
 };
 
 /// What the timeline shows. All times are seconds after the active run's first step.
@@ -43,14 +44,16 @@ struct TimelineModel {
 
   /// Null where none is read.
   [[nodiscard]] const TimelineRun* active() const;
-  /// What can be gone to, and what the axis shows: all runs, and of one that is being computed its flight's length, so that
-  /// the axis rests while it grows. `to_s` is above `from_s`, also with one step.
+  /// What can be gone to, and what the axis shows: all runs, and of one that is being computed, or was stopped, its flight's
+  /// length, so that the axis rests while it grows and shows what is missing. `to_s` is above `from_s`, also with one step.
   struct Extent {
     double from_s = 0.0, to_s = 1.0;  ///< Of the axis.
     double last_s = 0.0;              ///< Of the active run.
     friend bool operator==(const Extent&, const Extent&) = default;
   };
   [[nodiscard]] Extent extent() const;
+  /// Where the flight ends, in a run's own time; 0 where the flight is not open.
+  [[nodiscard]] double flight_end_s(const TimelineRun& run) const;
 };
 
 [[nodiscard]] TimelineModel timeline_model(const Session& session);

@@ -59,6 +59,36 @@ void draw_ground(const TimelineFrame& frame, Canvas& canvas, const kit::AreaInpu
   }
 }
 
+void draw_ends(const TimelineFrame& frame, Canvas& canvas, const kit::AreaInput& area) {
+  const TimeAxis& axis = frame.axis;
+  const double dash = frame.ui.px(3.0);
+  for (const TimelineRun& run : frame.model.runs) {
+    if (!run.is_incomplete) continue;
+    const double end_s = run.offset_s + run.document->duration_s();
+    const double end_px = axis.x_px(end_s);
+    if (run.is_active) {
+      const double flight_px = axis.x_px(run.offset_s + frame.model.flight_end_s(run));
+      const double first = std::max(end_px, axis.left_px) - area.rect.left;
+      const double last = std::min(flight_px, axis.right_px()) - area.rect.left;
+      const double step = frame.ui.px(8.0), height = area.rect.height;
+      const Rgba colour = with_opacity(frame.ui.theme().warning, 0.3);
+      if (first < last) {
+        canvas.push_clip({first, 0.0, last - first, height});
+        for (double x = first - height; x < last; x += step) {
+          const std::array<Eigen::Vector2d, 2> line = {Eigen::Vector2d{x, 0.0},
+                                                       {x + height, height}};
+          canvas.stroke(line, {colour, 1.0, {}});
+        }
+        canvas.pop_clip();
+      }
+    }
+    if (end_s < axis.from_s || end_s > axis.to_s) continue;
+    const double x = sharp_x(area, end_px);
+    const std::array<Eigen::Vector2d, 2> end = {Eigen::Vector2d{x, 0.0}, {x, area.rect.height}};
+    canvas.stroke(end, {frame.colour_of(run.colour), frame.ui.px(2.0), {dash, dash}});
+  }
+}
+
 void draw_moments(const TimelineFrame& frame, Canvas& canvas, const kit::AreaInput& area) {
   const TimeAxis& axis = frame.axis;
   const Theme& theme = frame.ui.theme();

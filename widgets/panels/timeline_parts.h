@@ -31,6 +31,9 @@ void fill_between(Canvas& canvas,
                   Rgba colour);
 /// The loop's range, what lies beyond the active run, and below everything the plot's ground.
 void draw_ground(const TimelineFrame& frame, Canvas& canvas, const kit::AreaInput& area);
+/// Where runs that were stopped before their end have stopped: a line in the run's colour, and after the active run's hatching
+/// up to the end of the flight.
+void draw_ends(const TimelineFrame& frame, Canvas& canvas, const kit::AreaInput& area);
 /// Lines at bookmarks, at the moment under the mouse, and the cursor.
 void draw_moments(const TimelineFrame& frame, Canvas& canvas, const kit::AreaInput& area);
 /// Seeks while the left button is held; true where the mouse did anything with time in this frame.
@@ -43,6 +46,12 @@ void zoom(TimelineFrame& frame, const kit::AreaInput& area, bool is_wheel_enough
 
 /// Room above and below the lines of a strip, of the design.
 inline constexpr double kStripPadding = 3.0;
+/// Name and values at the left of a strip, as much as fits.
+void draw_gutter(const TimelineFrame& frame,
+                 Canvas& canvas,
+                 const kit::AreaInput& area,
+                 Strip strip,
+                 const StripPlot& plot);
 /// All that a strip shows, in its area: name and values at the left, lines or streams, the cursor.
 void draw_strip_picture(const TimelineFrame& frame,
                         Canvas& canvas,

@@ -5,27 +5,16 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/panels/moment_kinds.h"
+#include "widgets/panels/run_labels.h"
 #include "widgets/panels/timeline_parts.h"
 
 namespace nadir::detail {
 namespace {
 
 constexpr double kMarkReach = 6.0;  ///< So near to a mark the mouse means it; of the design.
-
-Rgba mark_colour(MomentKind kind, const Theme& theme) {
-  switch (kind) {
-    case MomentKind::kLargestError:
-    case MomentKind::kOverConfident:
-    case MomentKind::kLost:
-      return theme.bad;
-    case MomentKind::kLowAgreement:
-    case MomentKind::kMissingData:
-      return theme.warning;
-    case MomentKind::kFound:
-      return theme.good;
-  }
-  return theme.muted;
-}
+constexpr double kMarkLane =
+    16.0;  ///< Height of the lane of marks and flags; above it are the times.
 
 void draw_ticks(const TimelineFrame& frame, Canvas& canvas, const kit::AreaInput& area) {
   kit::Ui& ui = frame.ui;
@@ -49,15 +38,48 @@ void draw_ticks(const TimelineFrame& frame, Canvas& canvas, const kit::AreaInput
   }
 }
 
-/// A diamond on the lane of marks.
+/// Diamonds and discs on the lane of marks; what is most severe lies on top.
 void draw_worst(const TimelineFrame& frame, Canvas& canvas, const kit::AreaInput& area) {
-  for (const WorstMoment& moment : frame.model.moments) {
+  const std::vector<std::size_t> order = by_severity(frame.model.moments);
+  for (auto index = order.rbegin(); index != order.rend(); ++index) {
+    const WorstMoment& moment = frame.model.moments[*index];
     if (moment.time_s < frame.axis.from_s || moment.time_s > frame.axis.to_s) continue;
     const double x = frame.axis.x_px(moment.time_s) - area.rect.left;
-    const double y = frame.ui.px(6.0), half = frame.ui.px(4.0);
-    const std::array<Eigen::Vector2d, 4> diamond = {
-        Eigen::Vector2d{x - half, y}, {x, y - half}, {x + half, y}, {x, y + half}};
-    canvas.fill(diamond, mark_colour(moment.kind, frame.ui.theme()));
+    draw_moment_mark(canvas, {x, frame.ui.px(6.0)}, frame.ui.px(4.0), moment.kind,
+                     frame.ui.theme());
+  }
+}
+
+/// Left of the ruler: what the marks mean, in as few words as fit; the tooltip has all.
+void draw_key(const TimelineFrame& frame, Canvas& canvas, const kit::AreaInput& area) {
+  kit::Ui& ui = frame.ui;
+  const Theme& theme = ui.theme();
+  TextStyle style;
+  style.size_px = ui.px(11.0);
+  style.colour = theme.muted;
+  const double right = frame.axis.left_px - area.rect.left - ui.px(8.0);
+  double x = ui.px(8.0);
+  const double y = ui.px(8.0);
+  const auto has_kind = [&frame](MomentMark mark) {
+    const auto& moments = frame.model.moments;
+    return std::any_of(moments.begin(), moments.end(), [mark](const WorstMoment& moment) {
+      return moment_mark(moment.kind) == mark;
+    });
+  };
+  struct Entry {
+    MomentKind kind;
+    const char* words;
+  };
+  constexpr std::array<Entry, 3> kEntries = {{{MomentKind::kLargestError, "wrong"},
+                                              {MomentKind::kLowAgreement, "doubtful"},
+                                              {MomentKind::kFound, "found"}}};
+  for (const Entry& entry : kEntries) {
+    if (!has_kind(moment_mark(entry.kind))) continue;
+    const double width = ui.px(8.0) + measure_text(entry.words, style).width;
+    if (x + width > right) return;
+    draw_moment_mark(canvas, {x, y + ui.px(4.0)}, ui.px(4.0), entry.kind, theme);
+    canvas.text({std::floor(x + ui.px(8.0)), y}, entry.words, style);
+    x += width + ui.px(14.0);
   }
 }
 
@@ -103,13 +125,20 @@ std::optional<RulerMark> mark_at(const TimelineFrame& frame, double mouse_px) {
   };
   for (const WorstMoment& moment : frame.model.moments) {
     offer(moment.time_s,
-          {clock_text(moment.time_s), std::string(enum_name(moment.kind)), moment.words});
+          {clock_text(moment.time_s), std::string(moment_kind_look(moment.kind).name), moment.words,
+           severity_words(moment.severity)});
   }
   for (const Bookmark& bookmark : frame.model.bookmarks) {
     const std::string time = clock_text(bookmark.time_s) +
                              (bookmark.until_s ? " – " + clock_text(*bookmark.until_s) : "");
     offer(bookmark.time_s,
           {time, bookmark.note.empty() ? "bookmark without a note" : bookmark.note});
+  }
+  for (const TimelineRun& run : frame.model.runs) {
+    if (!run.is_incomplete) continue;
+    const double end_s = run.offset_s + run.document->duration_s();
+    offer(end_s, {clock_text(end_s), run.name + " is incomplete",
+                  incomplete_words(*run.document, frame.model.flight_end_s(run))});
   }
   return nearest;
 }
@@ -140,16 +169,16 @@ void draw_ruler_menu(TimelineFrame& frame) {
   const auto menu = frame.ui.context_menu("Ruler menu");
   if (!menu) return;
   const TimelineModel& model = frame.model;
-  const double now_s = model.time_s;
+  const double here_s = frame.state.menu_s.value_or(model.time_s);
   if (frame.ui.menu_item("Play from here again and again")) {
     const double to_s =
-        model.loop_to_s && *model.loop_to_s > now_s ? *model.loop_to_s : frame.axis.last_s;
-    if (now_s < to_s) frame.actions.push_back(actions::SetLoop{now_s, to_s});
+        model.loop_to_s && *model.loop_to_s > here_s ? *model.loop_to_s : frame.axis.last_s;
+    if (here_s < to_s) frame.actions.push_back(actions::SetLoop{here_s, to_s});
   }
   if (frame.ui.menu_item("Play up to here again and again")) {
     const double from_s =
-        model.loop_from_s && *model.loop_from_s < now_s ? *model.loop_from_s : frame.axis.first_s;
-    if (from_s < now_s) frame.actions.push_back(actions::SetLoop{from_s, now_s});
+        model.loop_from_s && *model.loop_from_s < here_s ? *model.loop_from_s : frame.axis.first_s;
+    if (from_s < here_s) frame.actions.push_back(actions::SetLoop{from_s, here_s});
   }
   kit::MenuItem all;
   if (!model.loop_from_s) all.disabled_because = "All is played already";
@@ -166,6 +195,8 @@ void draw_ruler(TimelineFrame& frame, const kit::AreaInput& area) {
   Canvas& canvas = frame.ui.canvas();
   draw_ground(frame, canvas, area);
   draw_ticks(frame, canvas, area);
+  draw_ends(frame, canvas, area);
+  draw_key(frame, canvas, area);
   draw_worst(frame, canvas, area);
   draw_bookmarks(frame, canvas, area);
   draw_moments(frame, canvas, area);
@@ -178,11 +209,16 @@ void draw_ruler(TimelineFrame& frame, const kit::AreaInput& area) {
     canvas.fill(handle, frame.ui.theme().text);
   }
 
+  if (area.clicked == kit::MouseButton::kRight) {
+    frame.state.menu_s = frame.axis.seek_s(area.rect.left + area.mouse.x());
+  }
   draw_ruler_menu(frame);
   const auto mouse_px = plot_mouse_px(frame, area);
-  const auto mark = mouse_px ? mark_at(frame, *mouse_px) : std::nullopt;
+  const bool is_in_lane = area.mouse.y() <= frame.ui.px(kMarkLane);
+  const auto mark = mouse_px && is_in_lane ? mark_at(frame, *mouse_px) : std::nullopt;
   if (mark && area.pressed == kit::MouseButton::kLeft && !area.modifiers.shift) {
     frame.actions.push_back(actions::Seek{mark->time_s});
+    frame.state.is_scrubbing = true;  // a drag goes on from there
     return;
   }
   if (!mark_loop(frame, area)) scrub(frame, area);
@@ -193,6 +229,8 @@ void draw_ruler(TimelineFrame& frame, const kit::AreaInput& area) {
   } else if (mouse_px) {
     const std::array<std::string, 1> words = {clock_text(frame.axis.time_s(*mouse_px))};
     frame.ui.mouse_tooltip(words);
+  } else if (area.is_hovered && area.rect.left + area.mouse.x() < frame.axis.left_px) {
+    frame.ui.mouse_tooltip(mark_key_lines());
   }
 }
 

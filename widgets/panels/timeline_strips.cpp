@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/panels/run_labels.h"
 #include "widgets/panels/timeline_parts.h"
 
 namespace nadir::detail {
@@ -29,7 +30,24 @@ std::vector<std::string> hover_words(const TimelineFrame& frame,
   const std::string unit = info.unit.empty() ? "" : " " + std::string(info.unit);
   for (auto run = frame.model.runs.rbegin(); run != frame.model.runs.rend(); ++run) {
     const std::string name = frame.model.runs.size() > 1 ? run->name : std::string(info.name);
-    words.push_back(fmt::format("{}  {}{}", name, strip_value(strip, *run, moment_s), unit));
+    const std::string value = strip_value(strip, *run, moment_s);
+    const double after_s = moment_s - run->offset_s - run->document->duration_s();
+    words.push_back(run->is_incomplete && after_s > 0.0 && value == "–"
+                        ? fmt::format("{}  {}", name, incomplete_words(*run->document))
+                        : fmt::format("{}  {}{}", name, value, unit));
+  }
+  return words;
+}
+
+/// Of what stands left of a strip: all that may have been cut there.
+std::vector<std::string> gutter_words(const TimelineFrame& frame, Strip strip) {
+  const StripInfo& info = strip_info(strip);
+  std::vector<std::string> words = {
+      std::string(info.name) + (info.unit.empty() ? "" : fmt::format(" [{}]", info.unit)),
+      std::string(info.help)};
+  if (strip == Strip::kStreams || frame.model.runs.size() < 2) return words;
+  for (auto run = frame.model.runs.rbegin(); run != frame.model.runs.rend(); ++run) {
+    words.push_back(fmt::format("{}  {}", run->name, strip_value(strip, *run, frame.model.time_s)));
   }
   return words;
 }
@@ -104,7 +122,9 @@ void draw_strip(TimelineFrame& frame, const StripLook& look) {
   const Strip strip = look.strip;
   const auto& stored = frame.state.plots.at(static_cast<std::size_t>(strip));
   const StripPlot& plot = *stored;
-  const auto area = ui.area(std::string(enum_name(strip)), {0.0, ui.px(look.height_pt)});
+  // With Ctrl the wheel zooms the axis, else it scrolls the strips.
+  const auto area = ui.area(std::string(enum_name(strip)), {0.0, ui.px(look.height_pt)},
+                            ui.modifiers().ctrl ? kit::Wheel::kOwn : kit::Wheel::kScrolls);
   draw_strip_picture(frame, ui.canvas(), area, strip, plot);
   mark_target(frame, area, strip);
   draw_strip_menu(frame, strip);
@@ -115,9 +135,7 @@ void draw_strip(TimelineFrame& frame, const StripLook& look) {
     frame.state.hovered_s = frame.axis.time_s(*mouse_px);
     ui.mouse_tooltip(hover_words(frame, area, strip, frame.axis.time_s(*mouse_px)));
   } else if (area.is_hovered && !frame.state.moved_strip) {
-    const std::array<std::string, 2> words = {std::string(strip_info(strip).name),
-                                              std::string(strip_info(strip).help)};
-    ui.mouse_tooltip(words);
+    ui.mouse_tooltip(gutter_words(frame, strip));
   }
   frame.state.places.at(static_cast<std::size_t>(strip)) = area.rect;
 }

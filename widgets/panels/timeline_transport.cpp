@@ -60,14 +60,38 @@ void draw_loop(TimelineFrame& frame) {
   const TimelineModel& model = frame.model;
   if (!model.loop_from_s || !model.loop_to_s) return;
   kit::Ui& ui = frame.ui;
+  const std::string range = clock_text(*model.loop_from_s) + " – " + clock_text(*model.loop_to_s);
   ui.same_line(ui.px(16.0));
+  constexpr double kBesideIt = 104.0;  // its icon and button, and the button of the menu
+  const double room = ui.room().width - ui.px(kBesideIt);
   ui.icon(kit::Icon::kRepeat, kit::TextLook::kAccent);
   ui.same_line(ui.px(6.0));
-  ui.text(clock_text(*model.loop_from_s) + " – " + clock_text(*model.loop_to_s),
-          kit::TextLook::kNumber);
-  ui.same_line(ui.px(2.0));
+  if (ui.text_width(range, kit::TextLook::kNumber) <= room) {
+    ui.text(range, kit::TextLook::kNumber);
+    ui.same_line(ui.px(2.0));
+  }
   action_button(frame, "Loop off", kit::Icon::kClose, "Play all again, not only this range",
                 actions::SetLoop{});
+}
+
+/// A menu of what the line has no room for.
+void draw_more(TimelineFrame& frame) {
+  kit::Ui& ui = frame.ui;
+  ui.right_align(ui.px(28.0));
+  const auto menu =
+      ui.button_menu("More", kit::Icon::kMore, {"Worst moments, bookmark, strips", ""});
+  if (!menu) return;
+  const auto line = [&](const std::string& title, kit::Icon icon, const Action& action) {
+    kit::MenuItem item;
+    item.icon = icon;
+    item.shortcut = hint_for(title, action).shortcut;
+    if (ui.menu_item(title, item)) frame.actions.push_back(action);
+  };
+  line("Previous worst moment", kit::Icon::kCaretLeft, actions::GoTo{Moment::kPreviousWorst});
+  line("Next worst moment", kit::Icon::kCaretRight, actions::GoTo{Moment::kNextWorst});
+  line("Bookmark this moment", kit::Icon::kBookmark, actions::ShowOverlay{Overlay::kBookmark});
+  ui.menu_line();
+  draw_strip_items(frame);
 }
 
 }  // namespace
@@ -110,14 +134,21 @@ void draw_transport(TimelineFrame& frame) {
   constexpr double kButton = 28.0;
   const std::string worst = "worst";
   const double words = ui.text_width(worst, kit::TextLook::kMuted) + 2.0 * gap;
+  const double wanted = 4.0 * ui.px(kButton) + words + gap + ui.px(8.0);
   ui.same_line();
-  ui.right_align(4.0 * ui.px(kButton) + words + gap + ui.px(8.0));
+  if (ui.room().width < wanted) {
+    draw_more(frame);
+    return;
+  }
+  ui.right_align(wanted);
   action_button(frame, "Previous worst moment", kit::Icon::kCaretLeft,
-                "To the previous worst moment", actions::GoTo{Moment::kPreviousWorst});
+                "To the previous worst moment: the marks on the ruler",
+                actions::GoTo{Moment::kPreviousWorst});
   ui.same_line(gap);
   ui.text(worst, kit::TextLook::kMuted);
   ui.same_line(gap);
-  action_button(frame, "Next worst moment", kit::Icon::kCaretRight, "To the next worst moment",
+  action_button(frame, "Next worst moment", kit::Icon::kCaretRight,
+                "To the next worst moment: the marks on the ruler",
                 actions::GoTo{Moment::kNextWorst});
   ui.same_line(ui.px(8.0));
   if (ui.icon_button(

@@ -7,7 +7,6 @@
 
 #include "core/session/session.h"
 #include "widgets/kit/ui.h"
-#include "widgets/panels/command_palette.h"
 
 namespace nadir {
 
@@ -22,12 +21,20 @@ struct WelcomeModel {
     int notice = 0;  ///< Number of the notice that made the offer; put away with it.
   };
   std::optional<Offer> offer;
+  /// A flight that was opened by itself: what lacks is a map.
+  struct LoneFlight {
+    std::string name;
+    std::string facts;              ///< "100 pictures in 25 s"; empty while it is read.
+    std::string why_not;            ///< Why it can never be localised; empty: it can, on a map.
+    std::vector<std::string> maps;  ///< Paths of those that may belong to it, the likeliest first.
+  };
+  std::optional<LoneFlight> flight;
   std::string busy;  ///< "making the demo": nothing can be begun until that is done; else empty.
 };
 
 [[nodiscard]] WelcomeModel welcome_model(const Session& session);
 
-/// In the region that the map has otherwise. @param palette  Where opening a file by its path begins.
-[[nodiscard]] Actions draw_welcome(kit::Ui& ui, const WelcomeModel& model, PaletteState& palette);
+/// In the region that the map has otherwise.
+[[nodiscard]] Actions draw_welcome(kit::Ui& ui, const WelcomeModel& model);
 
 }  // namespace nadir

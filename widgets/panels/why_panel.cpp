@@ -8,6 +8,7 @@
 
 #include "widgets/panels/empty_state.h"
 #include "widgets/panels/map_geometry.h"
+#include "widgets/panels/moment_panel.h"
 #include "widgets/panels/why_surface.h"
 
 namespace nadir {
@@ -27,13 +28,15 @@ void draw_fits(kit::Ui& ui, const MomentExplanation& moment) {
                   kit::Align::kDecimal,
                   ui.px(88.0),
                   4,
-                  {"What the filter's weights are made of: 0 fits everywhere, 1 nowhere", "", "",
-                   "computed with the run's own options"}},
-      kit::Column{kTitles[2],
-                  kit::Align::kRight,
-                  ui.px(64.0),
-                  0,
-                  {"Share of cells on known ground whose class the map has there", ""}}};
+                  {"What the filter's weights are made of: 0 fits everywhere, 1 nowhere; lower is "
+                   "better, the lowest is green",
+                   "", "", "computed with the run's own options"}},
+      kit::Column{
+          kTitles[2],
+          kit::Align::kRight,
+          ui.px(64.0),
+          0,
+          {"Share of cells on known ground whose class the map has there; more is better", ""}}};
   const auto table = ui.table("Costs", columns);
   if (!table) return;
   std::optional<double> best = moment.estimate.mean_cost;
@@ -61,7 +64,11 @@ void draw_modes_table(kit::Ui& ui, const MomentExplanation& moment, Actions& ask
           "mass", kit::Align::kRight, ui.px(56.0), 0, {"Share of the particles' weight", ""}},
       kit::Column{
           "from truth", kit::Align::kDecimal, 0.0, 2, {"Distance of the cluster's mean", "", "m"}},
-      kit::Column{"mean cost", kit::Align::kDecimal, ui.px(84.0), 4},
+      kit::Column{"mean cost",
+                  kit::Align::kDecimal,
+                  ui.px(84.0),
+                  4,
+                  {"At the cluster's mean: 0 fits everywhere, 1 nowhere; lower is better", ""}},
       kit::Column{"", kit::Align::kLeft, ui.px(44.0)}};
   const auto table = ui.table("Modes", columns);
   if (!table) return;
@@ -79,31 +86,49 @@ void draw_modes_table(kit::Ui& ui, const MomentExplanation& moment, Actions& ask
   }
 }
 
-void draw_classes(kit::Ui& ui, const MomentExplanation& moment) {
-  const std::array<kit::Column, 4> columns = {
-      kit::Column{"class"}, kit::Column{"estimate", kit::Align::kRight, ui.px(62.0)},
-      kit::Column{"truth", kit::Align::kRight, ui.px(46.0)},
-      kit::Column{"speaks for",
+/// Where a class costs less, and by how much: "truth", "0.0123".
+void draw_class_costs(kit::Ui& ui, const MomentExplanation& moment) {
+  ui.wrapped(
+      "Each class's part in the mean cost (0 fits everywhere, 1 nowhere; lower is better): at "
+      "which "
+      "pose it costs less, and by how much.",
+      kit::TextLook::kMuted);
+  const std::array<kit::Column, 3> columns = {
+      kit::Column{"class"},
+      kit::Column{"cheaper at",
                   kit::Align::kLeft,
-                  ui.px(74.0),
+                  ui.px(84.0),
                   0,
-                  {"Which of the two this class makes cheaper; the first one matters most", ""}}};
-  const auto table = ui.table("Classes", columns);
+                  {"The pose at which this class fits the map better; the class that matters most "
+                   "comes first",
+                   ""}},
+      kit::Column{"by",
+                  kit::Align::kDecimal,
+                  ui.px(68.0),
+                  4,
+                  {"Difference of the class's parts in the two mean costs; over all classes it is "
+                   "that of the mean costs",
+                   ""}}};
+  const auto table = ui.table("Cost by class", columns);
   if (!table) return;
-  const auto percent = [](const CellAgreement::Count& count) {
-    const auto share = count.share();
-    return share ? fmt::format("{:.0f} %", 100.0 * *share) : std::string();
-  };
-  for (const ClassDifference& difference : moment.by_class) {
-    const std::string name(class_info(difference.id).name);
+  constexpr double kNothing = 5e-5;
+  const auto row = [&ui](const std::string& name, double at_truth_less_at_estimate) {
     ui.row(name);
     ui.cell(name);
-    ui.number_cell(percent(difference.at_estimate));
-    ui.number_cell(percent(difference.at_truth));
-    const double cost = difference.cost_difference;
-    constexpr double kNothing = 5e-5;
-    ui.cell(std::abs(cost) < kNothing ? "" : (cost > 0.0 ? "estimate" : "truth"),
-            cost < -kNothing ? kit::TextLook::kWarning : kit::TextLook::kMuted);
+    const double by = std::abs(at_truth_less_at_estimate);
+    if (by < kNothing) {
+      ui.cell("neither", kit::TextLook::kMuted);
+      ui.number_cell("0.0000", kit::TextLook::kMutedNumber);
+      return;
+    }
+    ui.cell(at_truth_less_at_estimate > 0.0 ? "estimate" : "truth");
+    ui.number_cell(fmt::format("{:.4f}", by));
+  };
+  for (const ClassDifference& difference : moment.by_class) {
+    row(std::string(class_info(difference.id).name), difference.cost_difference);
+  }
+  if (moment.truth && moment.truth->mean_cost && moment.estimate.mean_cost) {
+    row("all", *moment.truth->mean_cost - *moment.estimate.mean_cost);
   }
 }
 
@@ -143,16 +168,21 @@ Actions draw_why_panel(kit::Ui& ui, const WhyModel& model, WhyState& state) {
     ui.text("computing…", kit::TextLook::kMuted);
   }
   ui.wrapped(answer.words);
-  ui.space();
-  draw_fits(ui, *answer.explanation);
-  if (const auto section = ui.section("Error surface")) draw_surface(ui, model, state, asked);
-  if (!answer.explanation->modes.empty()) {
-    const std::size_t count = answer.explanation->modes.size();
-    if (const auto section = ui.section("Modes", true, fmt::format("{}", count)))
-      draw_modes_table(ui, *answer.explanation, asked);
+  const MomentExplanation& moment = *answer.explanation;
+  if (const auto section = ui.section("Error surface and topview")) {
+    draw_surface_and_patch(ui, model, state, asked);
   }
-  if (!answer.explanation->by_class.empty()) {
-    if (const auto section = ui.section("Classes")) draw_classes(ui, *answer.explanation);
+  if (const auto section = ui.section("Agreement by class")) {
+    draw_agreement_table(ui, state.seen.of(answer.step, answer.map, ui.theme_name()));
+  }
+  if (!moment.by_class.empty()) {
+    if (const auto section = ui.section("Cost by class")) draw_class_costs(ui, moment);
+  }
+  if (const auto section = ui.section("Mean cost")) draw_fits(ui, moment);
+  if (const auto section = ui.section("Heading")) draw_surface_cuts(ui, model);
+  if (!moment.modes.empty()) {
+    if (const auto section = ui.section("Modes", true, fmt::format("{}", moment.modes.size())))
+      draw_modes_table(ui, moment, asked);
   }
   return asked;
 }

@@ -6,6 +6,7 @@
 #include "widgets/kit/ui.h"
 #include "widgets/panels/moment_inquiry.h"
 #include "widgets/panels/picture_area.h"
+#include "widgets/panels/seen_moment.h"
 
 namespace nadir {
 
@@ -30,9 +31,13 @@ struct WhyState {
   std::shared_ptr<const MomentAnswer> pictured;
   bool pictured_best_turn = false;
   Picture surface;
+  SeenMomentCache seen;
+  std::size_t shown_patch =
+      0;  ///< 0 what fits the map, 1 seen, 2 map at the estimate, 3 map at the truth.
 };
 
-/// "Why here?": in words, then costs, error surface, modes and classes.
+/// "Why here?": in words; error surface and what was seen, agreement by class, costs by class, mean costs, the surface's cuts,
+/// modes. Sections fold, and stay as they were folded.
 [[nodiscard]] Actions draw_why_panel(kit::Ui& ui, const WhyModel& model, WhyState& state);
 
 /// A verdict in a few words for the panel's head, and how it is coloured.

@@ -10,6 +10,7 @@
 
 #include "core/base/angle.h"
 #include "widgets/panels/map_geometry.h"
+#include "widgets/panels/moment_panel.h"
 #include "widgets/panels/surface_picture.h"
 
 namespace nadir {
@@ -38,7 +39,8 @@ void mark_ring(
   canvas.stroke(ring, {colour, width});
 }
 
-void draw_plane(kit::Ui& ui, const MomentAnswer& answer, WhyState& state, Actions& asked) {
+void draw_plane(
+    kit::Ui& ui, const MomentAnswer& answer, double side, WhyState& state, Actions& asked) {
   const MomentSurface& surface = *answer.surface;
   const auto& values = state.shows_best_turn ? surface.best_turn : surface.plane;
   if (state.pictured.get() != &answer || state.pictured_best_turn != state.shows_best_turn) {
@@ -48,7 +50,6 @@ void draw_plane(kit::Ui& ui, const MomentAnswer& answer, WhyState& state, Action
                      false};
     state.pictured_best_turn = state.shows_best_turn;
   }
-  const double side = std::min(ui.room().width, ui.px(340.0));
   const auto input = draw_picture(ui, "Surface", state.surface, state.texture_of, {side, side});
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
@@ -69,11 +70,12 @@ void draw_plane(kit::Ui& ui, const MomentAnswer& answer, WhyState& state, Action
                             static_cast<std::size_t>(x)];
   const Eigen::Vector2d away((x - middle.x) * grid.step_m, (y - middle.y) * grid.step_m);
   const std::vector<std::string> words = {
-      fmt::format("mean cost {:.4f}", cost),
+      fmt::format("mean cost {:.4f}, lower is better", cost),
       fmt::format("{} m {}, {} m {} of the estimate", metres_text(std::abs(away.x()), 1),
                   away.x() < 0.0 ? "west" : "east", metres_text(std::abs(away.y()), 1),
                   away.y() < 0.0 ? "south" : "north"),
-      "click to show this place on the map"};
+      fmt::format("the picture is {} m across", metres_text(grid.count_x * grid.step_m, 0)),
+      "light: low cost; ring: estimate; cross: truth", "click to show this place on the map"};
   ui.mouse_tooltip(words);
   if (input.area.clicked == kit::MouseButton::kLeft) {
     const Eigen::Vector2d at = surface.volume.centre_in_enu.translation_m() + away;
@@ -84,7 +86,7 @@ void draw_plane(kit::Ui& ui, const MomentAnswer& answer, WhyState& state, Action
 /// The cost along the heading at the estimate's place: a picture of one row with the curve over it.
 void draw_turn(kit::Ui& ui, const MomentSurface& surface) {
   const double width = std::min(ui.room().width, ui.px(340.0));
-  const auto input = ui.area("Turn", {width, ui.px(56.0)});
+  const auto input = ui.area("Turn", {width, ui.px(56.0)}, kit::Wheel::kScrolls);
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
   const PageRect page = input.page();
@@ -126,44 +128,96 @@ void draw_turn(kit::Ui& ui, const MomentSurface& surface) {
   ui.mouse_tooltip(words);
 }
 
-}  // namespace
-
-void draw_surface(kit::Ui& ui, const WhyModel& model, WhyState& state, Actions& asked) {
+/// Says what there is in place of a surface; true where there is none.
+bool draw_no_surface(kit::Ui& ui, const WhyModel& model) {
   const MomentAnswer& answer = *model.answer;
-  if (!answer.surface) {
-    const bool waits = model.is_playing && !answer.has_tried_surface;
-    ui.wrapped(!answer.error.empty() ? answer.error
-                                     : (waits ? "Pause to see the error surface." : "Computing…"),
-               kit::TextLook::kMuted);
+  if (answer.surface) return false;
+  const bool waits = model.is_playing && !answer.has_tried_surface;
+  ui.wrapped(!answer.error.empty() ? answer.error
+                                   : (waits ? "Pause to see the error surface." : "Computing…"),
+             kit::TextLook::kMuted);
+  return true;
+}
+
+/// One picture of what was seen, to be chosen among those that there are.
+void draw_patch_choice(kit::Ui& ui, const WhyModel& model, double side, WhyState& state) {
+  const MomentAnswer& answer = *model.answer;
+  const SeenMoment& seen = state.seen.of(answer.step, answer.map, ui.theme_name());
+  struct Patch {
+    const char* name;
+    const Picture* picture;
+  };
+  const std::array<Patch, 4> all = {{{"fits the map", &seen.agreement_picture},
+                                     {"seen", &seen.seen_picture},
+                                     {"map at estimate", &seen.estimate_picture},
+                                     {"map at truth", &seen.truth_picture}}};
+  std::vector<std::string> names;
+  std::vector<std::size_t> patches;
+  std::size_t chosen = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!*all.at(i).picture) continue;
+    if (i == state.shown_patch) chosen = names.size();
+    names.emplace_back(all.at(i).name);
+    patches.push_back(i);
+  }
+  if (patches.empty()) {
+    ui.wrapped(seen.why_not.empty() ? "decoding…" : seen.why_not, kit::TextLook::kMuted);
     return;
   }
-  const std::array<std::string, 2> kinds = {"This heading", "Best heading"};
-  const auto kind = ui.choice(
-      "##Cut", kinds, state.shows_best_turn ? 1 : 0,
-      {"Cost of each place with the estimate's heading, or with the best of all headings there",
-       ""});
-  if (kind) state.shows_best_turn = *kind == 1;
-  draw_plane(ui, answer, state, asked);
-  state.pictured = model.answer;
-  const MomentSurface& surface = *answer.surface;
-  const double across_m = surface.volume.grid.count_x * surface.volume.grid.step_m;
-  ui.wrapped(
-      fmt::format("{} m across, light is cheap; the ring is the estimate, the cross the truth",
-                  metres_text(across_m, 0)),
-      kit::TextLook::kMuted);
+  ui.next_width(side);
+  const auto asked = ui.combo("##Patch", names, chosen,
+                              {"What was seen from above, ahead is up: whether it fits the map at "
+                               "the estimate, its classes, or those of the map there",
+                               ""});
+  if (asked) state.shown_patch = patches[*asked];
+  const Patch& patch = all.at(patches[asked.value_or(chosen)]);
+  draw_seen_picture(ui, "Patch", *patch.picture, seen, state.texture_of, {side, side});
+}
+
+}  // namespace
+
+void draw_surface_and_patch(kit::Ui& ui, const WhyModel& model, WhyState& state, Actions& asked) {
+  const MomentAnswer& answer = *model.answer;
+  const auto no_labels = ui.label_width(0.0);
+  const double side = std::floor(std::min((ui.room().width - ui.px(12.0)) / 2.0, ui.px(150.0)));
+  {
+    const auto pair = ui.columns("pictures", {1.0, 1.0});
+    if (!draw_no_surface(ui, model)) {
+      const std::array<std::string, 2> kinds = {"this heading", "best heading"};
+      ui.next_width(side);
+      const auto kind =
+          ui.combo("##Cut", kinds, state.shows_best_turn ? 1 : 0,
+                   {"Error surface: mean cost of each place with the estimate's "
+                    "heading, or with the best of all headings there. Light: low cost; "
+                    "ring: estimate; cross: truth; white dots: particles",
+                    ""});
+      if (kind) state.shows_best_turn = *kind == 1;
+      draw_plane(ui, answer, side, state, asked);
+      state.pictured = model.answer;
+    }
+    ui.next_column();
+    draw_patch_choice(ui, model, side, state);
+  }
+}
+
+void draw_surface_cuts(kit::Ui& ui, const WhyModel& model) {
+  if (draw_no_surface(ui, model)) return;
+  const MomentSurface& surface = *model.answer->surface;
   draw_turn(ui, surface);
   const double turn_deg = Angle::radians(std::floor((surface.volume.grid.count_yaw - 1) / 2.0) *
                                          surface.volume.grid.step_rad)
                               .degrees();
-  ui.text(fmt::format("turned up to {:.0f}° to the left and right", turn_deg),
-          kit::TextLook::kMuted);
+  ui.cut_text(fmt::format("turned up to {:.0f}° left and right; high: low cost", turn_deg),
+              kit::TextLook::kMuted);
   ui.read_out("cost at the estimate", fmt::format("{:.4f}", surface.cost_at_estimate));
   if (surface.cost_at_truth)
     ui.read_out("cost at the truth", fmt::format("{:.4f}", *surface.cost_at_truth));
   const double away_m =
       (surface.least_in_enu.translation_m() - surface.volume.centre_in_enu.translation_m()).norm();
-  ui.read_out("least cost",
-              fmt::format("{:.4f}, {} m away", surface.least_cost, metres_text(away_m, 1)));
+  ui.read_out(
+      "least cost around",
+      fmt::format("{:.4f}, {} m away", surface.least_cost, metres_text(away_m, 1)), "",
+      {"The best of all places and headings of the surface, and how far from the estimate", ""});
 }
 
 }  // namespace nadir

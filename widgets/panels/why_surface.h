@@ -5,8 +5,11 @@
 
 namespace nadir {
 
-/// The error surface around the estimate: its x-y cut with the particles on it, its cut along the heading, and the costs. A
-/// click at a place asks to look there. @param model  With an answer.
-void draw_surface(kit::Ui& ui, const WhyModel& model, WhyState& state, Actions& asked);
+/// Beside each other, the x-y cut of the error surface around the estimate with the particles on it, where a click asks to look
+/// at a place, and what was seen. @param model  With an answer.
+void draw_surface_and_patch(kit::Ui& ui, const WhyModel& model, WhyState& state, Actions& asked);
+
+/// The surface's cut along the heading, and its costs. @param model  With an answer.
+void draw_surface_cuts(kit::Ui& ui, const WhyModel& model);
 
 }  // namespace nadir

@@ -7,7 +7,7 @@
 #include "widgets/kit/headless_ui.h"
 
 namespace nadir {
-namespace {
+namespace command_palette_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -142,18 +142,39 @@ TEST(CommandPalette, AsksForTheArgumentsOfACommandThatLacksThem) {
   OpenPalette palette;
   palette.state.begun = "export";
   palette.screen.wait(3, palette);
-  EXPECT_TRUE(palette.screen.shows("export FILE [FIGURE]")) << palette.screen.words();
+  EXPECT_TRUE(palette.screen.shows("export FILE [FIGURE] [WIDTH]")) << palette.screen.words();
   EXPECT_THAT(texts(palette.screen.type("Palette/##Arguments", "a.svg", palette)),
               ElementsAre("show none", "export a.svg"));
 }
 
 TEST(CommandPalette, GoesOnToArgumentsWhereSuchACommandIsChosen) {
   OpenPalette palette;
-  EXPECT_THAT(palette.type("export"), IsEmpty());
-  EXPECT_EQ(palette.state.begun, "export");
+  EXPECT_THAT(palette.type("to a time"), IsEmpty());
+  EXPECT_EQ(palette.state.begun, "seek");
   palette.screen.wait(3, palette);
-  palette.screen.type_here("b.png", palette);
-  EXPECT_EQ(palette.state.arguments, "b.png");
+  palette.screen.type_here("12", palette);
+  EXPECT_EQ(palette.state.arguments, "12");
+}
+
+TEST(CommandPalette, GoesOnToTheBoxOfFilesWhereFilesAreAskedFor) {
+  for (const auto& [typed, shown] :
+       {std::pair("open", "show open"), std::pair("csv", "show export"),
+        std::pair("save options", "show save-recipe")}) {
+    OpenPalette palette;
+    EXPECT_THAT(palette.type(typed), ElementsAre(shown)) << typed;
+  }
+}
+
+TEST(CommandPalette, HasThoseChosenLatelyOnTopAndTellsWhatIsChosen) {
+  OpenPalette palette;
+  palette.model.recent_commands = {"theme light", "go worst"};
+  palette.screen.wait(2, palette);
+  EXPECT_LT(palette.screen.at("Palette/" + line_of("theme light")).rect.top,
+            palette.screen.at("Palette/" + line_of("go worst")).rect.top);
+  EXPECT_LT(palette.screen.at("Palette/" + line_of("go worst")).rect.top,
+            palette.screen.at("Palette/" + line_of("open")).rect.top);
+  EXPECT_THAT(palette.type("dark"), ElementsAre("show none", "theme dark"));
+  EXPECT_EQ(palette.state.chosen, "theme dark");
 }
 
 TEST(CommandPalette, OffersRecentFilesToOpenByTheArrows) {
@@ -200,9 +221,9 @@ TEST(BeginCommand, GivesTheActionOfAWholeCommand) {
 
 TEST(BeginCommand, OpensThePaletteForTheArgumentsOfOthers) {
   PaletteState state;
-  const Command command{"export", "Export…", "File", "", false};
+  const Command command{"seek", "To a time…", "Go", "", false};
   EXPECT_THAT(texts(begin_command(command, state)), ElementsAre("show palette"));
-  EXPECT_EQ(state.begun, "export");
+  EXPECT_EQ(state.begun, "seek");
 }
 
 TEST(FinishCommand, TakesATextWithBlanksAsOneArgument) {
@@ -238,5 +259,5 @@ TEST(OfferedArguments, AreRecentsLayoutsOrTheFormsWords) {
   EXPECT_THAT(offered_arguments("no such action", model), IsEmpty());
 }
 
-}  // namespace
+}  // namespace command_palette_test
 }  // namespace nadir

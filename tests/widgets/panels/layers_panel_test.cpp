@@ -9,7 +9,7 @@
 #include "widgets/kit/headless_ui.h"
 
 namespace nadir {
-namespace {
+namespace layers_panel_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -70,6 +70,13 @@ TEST(LayersPanel, ASliderSetsOpacity) {
   EXPECT_EQ(asked.back(), (actions::SetLayerOpacity{Layer::kTopview, 0.0}));
 }
 
+TEST(LayersPanel, TheLegendIsThereOrNotButNeverPale) {
+  ShownLayers shown(layers_of_new_window());
+  EXPECT_FALSE(shown.screen.has("Layers/legend/opacity"));
+  EXPECT_TRUE(shown.screen.has("Layers/legend/visible"));
+  EXPECT_TRUE(shown.screen.has("Layers/particles/opacity"));
+}
+
 TEST(LayersPanel, OnlyLinesHaveAColour) {
   ShownLayers shown(layers_of_new_window());
   EXPECT_TRUE(shown.screen.has("Layers/estimate/##colour"));
@@ -113,6 +120,32 @@ TEST(LayersPanel, SaysWhyALayerIsEmptyInPlaceOfItsSlider) {
   EXPECT_TRUE(shown.screen.has("Layers/particles/visible")) << "it can still be hidden";
 }
 
+TEST(LayersPanel, AMenuRaisesAndLowersWithoutADrag) {
+  ShownLayers shown(layers_of_new_window());
+  const auto choose = [&](Layer layer, const std::string& item) {
+    const std::string row = "Layers/" + std::string(enum_name(layer));
+    shown.screen.right_click(row + "/" + std::string(layer_title(layer)), shown.draw());
+    return shown.screen.click(row + "/order/" + item, shown.draw());
+  };
+  EXPECT_THAT(choose(Layer::kParticles, "Raise"),
+              ElementsAre(Action(actions::MoveLayer{Layer::kParticles, 1})));
+  EXPECT_THAT(choose(Layer::kParticles, "Lower"),
+              ElementsAre(Action(actions::MoveLayer{Layer::kParticles, -1})));
+  // The picture is the lowest of fourteen, the legend the uppermost.
+  EXPECT_THAT(choose(Layer::kPicture, "To the top"),
+              ElementsAre(Action(actions::MoveLayer{Layer::kPicture, 12})));
+  EXPECT_THAT(choose(Layer::kGraticule, "To the ground"),
+              ElementsAre(Action(actions::MoveLayer{Layer::kGraticule, -12})));
+}
+
+TEST(LayersPanel, TheLegendStaysOnTopAndSaysSo) {
+  ShownLayers shown(layers_of_new_window());
+  EXPECT_FALSE(shown.screen.at("Layers/legend/grip").is_enabled);
+  EXPECT_TRUE(shown.screen.at("Layers/graticule/grip").is_enabled);
+  shown.screen.hover("Layers/legend/grip", shown.draw());
+  EXPECT_THAT(shown.screen.tooltip(), HasSubstr("always lies on top"));
+}
+
 TEST(LayersPanel, LaysTheTopviewAtAnotherPose) {
   ShownLayers shown(layers_of_new_window());
   EXPECT_THAT(shown.screen.click("Layers/topview at/truth", shown.draw()),
@@ -134,5 +167,5 @@ TEST(LayersPanel, TakesAColourThatIsNoneForTheThemes) {
   EXPECT_THAT(ShownLayers(model).asked, IsEmpty());
 }
 
-}  // namespace
+}  // namespace layers_panel_test
 }  // namespace nadir

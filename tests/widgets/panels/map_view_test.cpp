@@ -13,7 +13,7 @@
 #include "widgets/panels/map_lines.h"
 
 namespace nadir {
-namespace {
+namespace map_view_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -275,6 +275,16 @@ TEST_F(MapViewTest, ToolsAskForWhatTheyAreCalled) {
   EXPECT_FALSE(screen.at("Map/Tools/Follow").is_enabled);
 }
 
+TEST_F(MapViewTest, ToolsThatALowMapHasNoRoomForAreInAMenu) {
+  kit::HeadlessUi low(ThemeName::kDark, 1.5, {900.0, 300.0});
+  low.wait(3, drawing());
+  EXPECT_TRUE(low.has("Map/Tools/Pan"));
+  EXPECT_FALSE(low.has("Map/Tools/Follow"));
+  EXPECT_LT(low.at("Map/Tools/More").rect.bottom(), 260.0) << "the scale bar lies below";
+  EXPECT_THAT(low.click("Map/Tools/More/Follow", drawing()),
+              Contains(Action(actions::Follow{Switch::kToggle})));
+}
+
 TEST_F(MapViewTest, TheMenuCopiesThePlaceWhereItWasOpened) {
   screen.right_click(kGround, drawing());
   const Eigen::Vector2d place = state.menu_in_enu_m;
@@ -282,6 +292,25 @@ TEST_F(MapViewTest, TheMenuCopiesThePlaceWhereItWasOpened) {
   EXPECT_THAT(
       asked,
       ElementsAre(Action(actions::Copy{metres_text(place.x()) + " " + metres_text(place.y())})));
+}
+
+TEST_F(MapViewTest, EachOfTwoMapsHasAMenuOfItsOwn) {
+  MapRun other = model.runs[0];
+  other.number = 2;
+  other.is_active = false;
+  model.runs.insert(model.runs.begin(), other);
+  model.look.is_split = true;
+  screen.wait(2, drawing());
+  screen.right_click("Map/Second ground", drawing());
+  const Eigen::Vector2d place = state.menu_in_enu_m;
+  EXPECT_FALSE(screen.has("Map/Menu/Copy east and north"));
+  const Actions asked = screen.click("Map/Second menu/Copy east and north", drawing());
+  EXPECT_THAT(
+      asked,
+      ElementsAre(Action(actions::Copy{metres_text(place.x()) + " " + metres_text(place.y())})));
+  screen.right_click(kGround, drawing());
+  EXPECT_TRUE(screen.has("Map/Menu/Copy east and north"));
+  EXPECT_FALSE(screen.has("Map/Second menu/Copy east and north"));
 }
 
 TEST_F(MapViewTest, TheGroundIsAskedForWithTheCameraThatLinesAreDrawnWith) {
@@ -316,12 +345,105 @@ TEST_F(MapViewTest, TwoRunsCanLieBesideEachOtherUnderOneCamera) {
   EXPECT_DOUBLE_EQ(left.width, right.width);
   ASSERT_GE(grounds.size(), 2U);
   EXPECT_EQ(grounds[grounds.size() - 2].run, 1);
+  EXPECT_FALSE(grounds[grounds.size() - 2].is_second);
   EXPECT_EQ(grounds.back().run, 2);
+  EXPECT_TRUE(grounds.back().is_second);
+  EXPECT_LT(state.room.aspect, 1.0) << "of one half";
   EXPECT_EQ(grounds[grounds.size() - 2].camera, grounds.back().camera);
   const Eigen::Vector2d held = ground_at(left.width / 2.0, left.height / 2.0);
   screen.drag(kGround, 60.0, 30.0, drawing());
   show();
   EXPECT_LT((ground_at(left.width / 2.0 + 60.0, left.height / 2.0 + 30.0) - held).norm(), 1e-6);
+}
+
+TEST_F(MapViewTest, SaysWhatAClickWillDoAndWhatItWouldMeasure) {
+  show();
+  EXPECT_FALSE(screen.shows("Click the first point"));
+  apply(actions::UseTool{MapTool::kMeasure});
+  show();
+  EXPECT_TRUE(screen.shows("Click the first point"));
+  screen.hover(kGround, drawing());
+  EXPECT_EQ(screen.tooltip(), "") << "nothing is measured yet";
+  screen.click_at(kGround, 400.0, 500.0, drawing());
+  screen.wait(40, drawing());
+  EXPECT_TRUE(screen.shows("Click the next point"));
+  const kit::Rect area = screen.at(kGround).rect;
+  screen.input().mouse_px = Eigen::Vector2d(area.left + 500.0, area.top + 500.0);  // 100 px east
+  show();
+  EXPECT_EQ(screen.tooltip(), distance_text(100.0 * 40.0 / area.width) + "  090.0°");
+  EXPECT_THAT(model.look.measured_in_enu_m, SizeIs(1)) << "only a click adds a point";
+}
+
+TEST_F(MapViewTest, EscapeLetsGoOfAParticleAndThenOfPicking) {
+  apply(actions::UseTool{MapTool::kPick});
+  show();
+  EXPECT_TRUE(screen.shows("Click a particle"));
+  model.selected_particle = 3;
+  EXPECT_THAT(screen.press("Escape", drawing()), ElementsAre(Action(actions::SelectParticle{})));
+  EXPECT_THAT(screen.press("Escape", drawing()),
+              ElementsAre(Action(actions::UseTool{MapTool::kPan})));
+  EXPECT_THAT(screen.press("Escape", drawing()), IsEmpty());
+}
+
+TEST_F(MapViewTest, WithoutAMapTheRunShowsAndTheMapIsOneClickAway) {
+  model.map.reset();
+  std::vector<MapGround> grounds;
+  state.ground = [&](const MapGround& ground) {
+    grounds.push_back(ground);
+    return kit::TextureId{0};
+  };
+  show();
+  EXPECT_TRUE(screen.has(kGround));
+  EXPECT_TRUE(screen.shows("No map is open: open one to see the ground"));
+  ASSERT_THAT(grounds, Not(IsEmpty()));
+  EXPECT_EQ(grounds.back().run, 1) << "its particles are asked for";
+  EXPECT_FALSE(grounds.back().is_lowest) << "the grid lies below";
+  EXPECT_THAT(screen.click("Map/Note/Open the map…", drawing()),
+              ElementsAre(Action(actions::ShowOverlay{Overlay::kOpen})));
+}
+
+TEST_F(MapViewTest, TheGroundIsAskedForInPartsWhereLinesLieBetween) {
+  std::vector<MapGround> grounds;
+  state.ground = [&](const MapGround& ground) {
+    grounds.push_back(ground);
+    return kit::TextureId{0};
+  };
+  show();
+  EXPECT_EQ(grounds.back().part_count, 1);
+  EXPECT_TRUE(grounds.back().is_lowest);
+  EXPECT_THAT(grounds.back().layers,
+              ElementsAre(Layer::kPicture, Layer::kTopview, Layer::kParticles));
+  // Particles above the estimate.
+  std::vector<Layer>& order = model.look.order;
+  std::erase(order, Layer::kParticles);
+  order.insert(order.end() - 1, Layer::kParticles);
+  grounds.clear();
+  show();
+  ASSERT_GE(grounds.size(), 2U);
+  const MapGround& upper = grounds.back();
+  const MapGround& lower = grounds[grounds.size() - 2];
+  EXPECT_EQ(lower.part_count, 2);
+  EXPECT_EQ(lower.part, 0);
+  EXPECT_TRUE(lower.is_lowest);
+  EXPECT_THAT(lower.layers, ElementsAre(Layer::kPicture, Layer::kTopview));
+  EXPECT_EQ(upper.part, 1);
+  EXPECT_FALSE(upper.is_lowest);
+  EXPECT_THAT(upper.layers, ElementsAre(Layer::kParticles));
+  EXPECT_EQ(upper.camera, lower.camera);
+}
+
+TEST_F(MapViewTest, TellsWhatItsControlsCover) {
+  show();
+  const kit::Rect tools = screen.at("Map/Tools/Measure").rect;
+  const kit::Rect area = screen.at(kGround).rect;
+  EXPECT_DOUBLE_EQ(state.room.aspect, state.where.width / state.where.height);
+  EXPECT_GE(state.room.left * state.where.width, tools.right() - area.left);
+  EXPECT_LT(state.room.left, 0.1);
+  EXPECT_EQ(state.room.bottom, 0.0) << "no legend is shown";
+  model.look.layer(Layer::kLegend).is_visible = true;
+  show();
+  EXPECT_GT(state.room.bottom, 0.02);
+  EXPECT_LT(state.room.bottom, 0.4);
 }
 
 TEST_F(MapViewTest, WithoutAnythingOpenItOffersTheDemo) {
@@ -342,25 +464,6 @@ TEST_F(MapViewTest, ARunShowsBeforeItsMapIsRead) {
   EXPECT_TRUE(screen.shows("Reading town…"));
 }
 
-TEST(MapLegend, NamesWhatIsShownOnly) {
-  const MadeMoment made;
-  MapViewModel model = made.map_view();
-  for (LayerLook& layer : model.look.layers) layer.is_visible = false;
-  const auto names = [&] {
-    std::vector<std::string> all;
-    for (const LegendEntry& entry : map_legend(model, {1}, theme(ThemeName::kDark)))
-      all.push_back(entry.name);
-    return all;
-  };
-  EXPECT_THAT(names(), IsEmpty());
-  model.look.layer(Layer::kTruth).is_visible = true;
-  model.look.layer(Layer::kEstimate).is_visible = true;
-  EXPECT_THAT(names(), ElementsAre("truth", "estimate"));
-  model.look.layer(Layer::kLabels).is_visible = true;
-  EXPECT_THAT(names(), Contains("road"));
-  EXPECT_THAT(names(), Not(Contains("car")));
-}
-
 TEST(MapLook, AColourOfTheUsersOwnIsTheActiveRuns) {
   const MadeMoment made;
   MapViewModel model = made.map_view();
@@ -376,5 +479,13 @@ TEST(MapLook, AColourOfTheUsersOwnIsTheActiveRuns) {
   EXPECT_FALSE(colour_from_hex("#12345G"));
 }
 
-}  // namespace
+TEST(MapLook, ParticlesAreCasedInTheOppositeOfWhatTheyLieOn) {
+  for (const ThemeName name : {ThemeName::kDark, ThemeName::kLight}) {
+    const Theme& colours = theme(name);
+    EXPECT_EQ(particle_casing(colours, true), with_opacity(colours.casing_on_imagery, 0.85));
+    EXPECT_EQ(particle_casing(colours, false), with_opacity(colours.window, 0.85));
+  }
+}
+
+}  // namespace map_view_test
 }  // namespace nadir

@@ -8,7 +8,7 @@
 #include "widgets/kit/headless_ui.h"
 
 namespace nadir {
-namespace {
+namespace menu_bar_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -83,11 +83,18 @@ TEST(MenuBar, DoesWhatIsChosen) {
   EXPECT_THAT(texts(menus.screen.click(path, menus)), ElementsAre("open-demo"));
 }
 
-TEST(MenuBar, AsksForArgumentsInThePalette) {
-  Menus menus;
-  const std::string path = menus.open("open");
-  EXPECT_THAT(texts(menus.screen.click(path, menus)), ElementsAre("show palette"));
-  EXPECT_EQ(menus.palette.begun, "open");
+TEST(MenuBar, AsksForArgumentsInThePaletteAndForFilesInTheirBoxes) {
+  const std::vector<std::array<std::string, 2>> known = {
+      {"seek", "show palette"},  {"open", "show open"},
+      {"export", "show export"}, {"export-table", "show export"},
+      {"report", "show export"}, {"save-preset", "show save-recipe"}};
+  for (const auto& [command, shown] : known) {
+    Menus menus;
+    const std::string path = menus.open(command);
+    EXPECT_THAT(texts(menus.screen.click(path, menus)), ElementsAre(shown)) << command;
+    const bool is_of_a_file_box = command == "open" || command == "save-preset";
+    EXPECT_EQ(menus.palette.begun, is_of_a_file_box ? "" : command);
+  }
 }
 
 TEST(MenuBar, ShowsShortcutsAndReasons) {
@@ -169,5 +176,5 @@ TEST(MenuBarModel, OfASessionWithNothingOpenHasNoNames) {
   EXPECT_THAT(model.recents, IsEmpty());
 }
 
-}  // namespace
+}  // namespace menu_bar_test
 }  // namespace nadir

@@ -14,7 +14,7 @@
 #include "widgets/panels/topview_panel.h"
 
 namespace nadir {
-namespace {
+namespace moment_panel_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -47,7 +47,10 @@ TEST_F(MomentPanelTest, SaysTheNumbersOfTheStep) {
   EXPECT_EQ(screen.at("Moment/Facts/sigma heading").value, "1.7 °");
   EXPECT_EQ(screen.at("Moment/Facts/effective sample size").value, "500 of 1000");
   // 3 m off with half a metre of deviation: 36 in squares.
-  EXPECT_EQ(screen.at("Moment/Facts/NEES").value, "36.0, far too sure of itself");
+  EXPECT_EQ(screen.at("Moment/Facts/NEES of this step").value, "36.0, above 9.35");
+  EXPECT_THAT(screen.at("Moment/Facts/NEES of this step").tooltip,
+              HasSubstr("chi-square bounds 0.22 and 9.35 (3 degrees of freedom). One step is no "
+                        "test of consistency"));
   EXPECT_FALSE(screen.has("Moment/Facts/modes"));
 }
 
@@ -60,7 +63,7 @@ TEST_F(MomentPanelTest, SaysWhatIsNotKnownInsteadOfANumber) {
   screen.wait(2, drawing());
   EXPECT_EQ(screen.at("Moment/Facts/position error").value, "not known");
   EXPECT_EQ(screen.at("Moment/Facts/agreement").value, "not known");
-  EXPECT_FALSE(screen.has("Moment/Facts/NEES"));
+  EXPECT_FALSE(screen.has("Moment/Facts/NEES of this step"));
 }
 
 TEST_F(MomentPanelTest, HasABarForEachClassAtBothPoses) {
@@ -108,12 +111,38 @@ TEST_F(MomentPanelTest, WithoutARunItOffersTheDemo) {
   EXPECT_TRUE(screen.shows("loop is being read"));
 }
 
-TEST(NeesWords, FollowTheChiSquareOfThreeDegrees) {
-  EXPECT_EQ(nees_words(3.0), "as it should be");
-  EXPECT_EQ(nees_words(chi_square_quantile(0.95, 3.0) - 0.01), "as it should be");
-  EXPECT_EQ(nees_words(chi_square_quantile(0.95, 3.0) + 0.01), "over-confident");
-  EXPECT_EQ(nees_words(17.0), "far too sure of itself");
-  EXPECT_EQ(nees_words(0.05), "cautious");
+TEST(NeesWords, SayHowOneStepLiesToTheBoundsAndNoMore) {
+  const double upper = chi_square_quantile(0.975, 3.0), lower = chi_square_quantile(0.025, 3.0);
+  EXPECT_EQ(nees_words(3.0), "within 9.35");
+  EXPECT_EQ(nees_words(upper - 0.01), "within 9.35");
+  EXPECT_EQ(nees_words(upper + 0.01), "above 9.35");
+  EXPECT_EQ(nees_words(lower - 0.01), "below 0.22");
+  EXPECT_EQ(nees_look(upper + 0.01), kit::TextLook::kWarning);
+  EXPECT_EQ(nees_look(0.01), kit::TextLook::kNumber) << "one careful step is no warning";
+}
+
+TEST_F(MomentPanelTest, SaysOfEachKindOfPictureWhetherTheFrameHasIt) {
+  model.camera = made_frame();
+  model.has_camera_frame = true;
+  screen.click("Moment/Camera/##Show/Labels", drawing());
+  EXPECT_EQ(state.camera.kind, CameraKind::kLabels);
+  screen.wait(2, drawing());
+  EXPECT_TRUE(screen.has("Moment/Camera/Camera picture"));
+  screen.click("Moment/Camera/##Show/Confidence", drawing());
+  screen.wait(2, drawing());
+  EXPECT_FALSE(screen.has("Moment/Camera/Camera picture"));
+  EXPECT_TRUE(screen.shows("holds no confidence of its labels"));
+  CameraMoment bare = *model.camera;
+  bare.depth_m = {};
+  model.camera = std::make_shared<const CameraMoment>(bare);
+  screen.click("Moment/Camera/##Show/Depth", drawing());
+  screen.wait(2, drawing());
+  EXPECT_TRUE(screen.shows("This frame has no depth"));
+  bare.image = {};
+  model.camera = std::make_shared<const CameraMoment>(bare);
+  screen.click("Moment/Camera/##Show/Image", drawing());
+  screen.wait(2, drawing());
+  EXPECT_TRUE(screen.has("Moment/Camera/Camera picture")) << "the labels stand in for it";
 }
 
 TEST(CameraPanel, MagnifiesAtTheMouseAndShowsAllAgainByADoubleClick) {
@@ -222,5 +251,5 @@ TEST(ScenePanel, LooksFromBehindTheEstimateAndGoesWithItUntilItIsMoved) {
   EXPECT_TRUE(state.is_following);
 }
 
-}  // namespace
+}  // namespace moment_panel_test
 }  // namespace nadir

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // What panels look like as pixels. With NADIR_PICTURES set to a folder, the pictures are kept there to be looked at.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 
-#include "tests/support/ui_picture.h"
 #include "tests/widgets/panels/panel_scenes.h"
 #include "widgets/canvas/png_file.h"
 
 namespace nadir {
-namespace {
+namespace panel_pictures_test {
 
 /// Relative luminance as WCAG 2.1 has it.
 double luminance(const Rgba& colour) {
@@ -37,56 +37,30 @@ double contrast_within(const Raster<Rgba>& picture, const kit::Rect& rect) {
   return (most + 0.05) / (least + 0.05);
 }
 
-struct Look {
-  ThemeName theme;
-  double scale;
-};
-
-class PanelPictures : public testing::TestWithParam<Look> {};
+class PanelPictures : public testing::TestWithParam<PanelLook> {};
 
 TEST_P(PanelPictures, EveryTextInSightIsLegibleAndInsideTheWindow) {
-  const auto [theme, scale] = GetParam();
-  const Eigen::Vector2d size = {std::floor(1280.0 * scale), std::floor(800.0 * scale)};
+  UiCamera camera;
   const char* const kept = std::getenv("NADIR_PICTURES");
   for (const PanelScene& scene : panel_scenes()) {
-    kit::UiContext context(theme, scale);
-    context.set_motion_reduced(true);
-    kit::FrameInput input;
-    input.size_px = size;
-    for (int i = 0; i < 6; ++i) {
-      scene.draw(context.begin_frame(input));
-      context.end_frame();
-    }
-    const Raster<Rgba> picture = picture_of(context);
-    ASSERT_EQ(picture.width(), static_cast<int>(size.x()));
+    const SeenScene seen = see(scene, GetParam(), camera);
     if (kept != nullptr) {
-      const std::string name =
-          fmt::format("{}/{}-{}-{}.png", kept, scene.name, enum_name(theme), scale);
-      std::ofstream(name, std::ios::binary) << encode_png(picture);
+      const std::string name = fmt::format("{}/{}-{}-{}.png", kept, scene.name,
+                                           enum_name(GetParam().theme), GetParam().scale);
+      std::ofstream(name, std::ios::binary) << encode_png(seen.cut_out);
     }
-    const std::vector<kit::Control>& controls = context.controls();
-    bool is_covered = true;  // what lies under an overlay is darkened
-    const bool has_overlay = std::any_of(
-        controls.begin(), controls.end(),
-        [](const kit::Control& control) { return control.kind == kit::ControlKind::kOverlay; });
-    for (const kit::Control& control : controls) {
-      if (control.kind == kit::ControlKind::kOverlay) is_covered = false;
-      if ((has_overlay && is_covered) || scene.name == "notices") continue;
+    for (const kit::Control& control : seen.controls) {
       if (control.kind != kit::ControlKind::kText || !control.is_visible || !control.is_enabled)
         continue;
       if (control.label == "dot") continue;
-      EXPECT_GE(contrast_within(picture, control.rect), 4.0) << scene.name << ": " << control.path;
-      EXPECT_LE(control.rect.right(), size.x()) << scene.name << ": " << control.path;
+      EXPECT_GE(contrast_within(seen.picture, control.rect), 4.0)
+          << scene.name << ": " << control.path;
+      EXPECT_LE(control.rect.right(), seen.picture.width()) << scene.name << ": " << control.path;
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Looks,
-                         PanelPictures,
-                         testing::Values(Look{ThemeName::kDark, 1.0},
-                                         Look{ThemeName::kDark, 1.5},
-                                         Look{ThemeName::kLight, 1.0},
-                                         Look{ThemeName::kLight, 1.5}));
+INSTANTIATE_TEST_SUITE_P(Looks, PanelPictures, testing::ValuesIn(panel_looks()));
 
-}  // namespace
+}  // namespace panel_pictures_test
 }  // namespace nadir

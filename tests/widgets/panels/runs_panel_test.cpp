@@ -7,7 +7,7 @@
 #include "widgets/kit/headless_ui.h"
 
 namespace nadir {
-namespace {
+namespace runs_panel_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -76,22 +76,41 @@ TEST(RunsPanel, HidesAndClosesARun) {
 
 TEST(RunsPanel, ComparesRunsAndMarksTheBetter) {
   ShownRuns shown(two_runs());
-  EXPECT_THAT(shown.cell("median", "calm"), HasSubstr("0.50"));
-  EXPECT_THAT(shown.cell("largest", "wild"), HasSubstr("8.00"));
-  const std::string check = std::string("• ");
-  EXPECT_THAT(shown.cell("RMSE", "calm"), HasSubstr(check));
-  EXPECT_THAT(shown.cell("RMSE", "wild"), ::testing::Not(HasSubstr(check)));
+  EXPECT_THAT(shown.cell("position median", "calm"), HasSubstr("0.50"));
+  EXPECT_THAT(shown.cell("position max", "wild"), HasSubstr("8.00"));
+  const std::string check = std::string("•");
+  EXPECT_THAT(shown.cell("position RMSE", "calm"), HasSubstr(check));
+  EXPECT_THAT(shown.cell("position RMSE", "wild"), ::testing::Not(HasSubstr(check)));
   EXPECT_THAT(shown.cell("within 1 m", "calm"), HasSubstr("100.0"));
   EXPECT_THAT(shown.cell("within 1 m", "wild"), HasSubstr("50.0"));
-  EXPECT_THAT(shown.cell("NEES", "calm"), HasSubstr(check)) << "1 is nearer to 3 than 128";
+  EXPECT_THAT(shown.cell("NEES mean", "calm"), HasSubstr(check)) << "1 is nearer to 3 than 128";
+}
+
+TEST(RunsPanel, LabelsEveryNumberWithStatisticAndUnitAndExplainsTheMark) {
+  ShownRuns shown(two_runs());
+  EXPECT_TRUE(shown.screen.shows("Position error [m]")) << shown.screen.words();
+  EXPECT_TRUE(shown.screen.shows("Heading error [deg]"));
+  EXPECT_EQ(shown.screen.at("Runs/Errors/metrics/position RMSE/").value, "RMSE");
+  EXPECT_EQ(shown.screen.at("Runs/Errors/metrics/heading median/").value, "median");
+  EXPECT_THAT(shown.screen.at("Runs/Errors/metrics/heading median/").tooltip,
+              HasSubstr("heading median [deg]"));
+  EXPECT_EQ(shown.screen.at("Runs/Errors/metrics/NEES mean/").value, "mean");
+  EXPECT_TRUE(shown.screen.shows("and green: the best run by this number"));
+  const auto tip = [&](const std::string& path) {
+    return shown.screen.at("Runs/Errors/metrics/" + path).tooltip;
+  };
+  EXPECT_THAT(tip("position RMSE/calm"), HasSubstr("The best of these runs: lower is better"));
+  EXPECT_THAT(tip("within 1 m/calm"), HasSubstr("higher is better"));
+  EXPECT_THAT(tip("NEES mean/calm"), HasSubstr("nearer to 3 is better"));
+  EXPECT_EQ(tip("position RMSE/wild"), "");
 }
 
 TEST(RunsPanel, OfOneRunMarksNothing) {
   RunsModel model = two_runs();
   model.rows.pop_back();
   ShownRuns shown(model);
-  EXPECT_THAT(shown.cell("RMSE", "calm"), HasSubstr("0.50"));
-  EXPECT_FALSE(shown.screen.shows(std::string("• ")));
+  EXPECT_THAT(shown.cell("position RMSE", "calm"), HasSubstr("0.50"));
+  EXPECT_FALSE(shown.screen.shows(std::string("•"))) << shown.screen.words();
   EXPECT_FALSE(shown.screen.at("Runs/Split view").is_enabled);
   EXPECT_FALSE(shown.screen.has("Runs/Parting"));
   EXPECT_FALSE(shown.screen.has("Runs/1/shown"));
@@ -101,7 +120,7 @@ TEST(RunsPanel, OfRunsWithoutTruthHasDashes) {
   RunsModel model;
   model.rows = {
       row_of(1, "blind", made_document(50, [](RunStep& step) { step.truth_in_enu.reset(); }))};
-  EXPECT_EQ(ShownRuns(model).cell("RMSE", "blind"), "–");
+  EXPECT_EQ(ShownRuns(model).cell("position RMSE", "blind"), "–");
 }
 
 TEST(RunsPanel, TellsSettingsThatDiffer) {
@@ -116,6 +135,9 @@ TEST(RunsPanel, JumpsToWhereRunsPart) {
   EXPECT_TRUE(shown.screen.shows("00:10.0")) << shown.screen.words();
   EXPECT_THAT(shown.click_row("Runs/Parting/2/##go"),
               ElementsAre(Action(actions::GoToDivergence{2})));
+  EXPECT_TRUE(shown.screen.shows("First " + divergence_words()));
+  EXPECT_THAT(shown.screen.at("Runs/Parting/2/##go").tooltip,
+              HasSubstr("Parted is " + divergence_words()));
   RunsModel alike = two_runs();
   alike.rows[1].document = alike.rows[0].document;
   EXPECT_TRUE(ShownRuns(alike).screen.shows("never leaves"));
@@ -142,6 +164,44 @@ TEST(RunsPanel, WatchesALiveRunAndCancelsIt) {
               ElementsAre(Action(actions::CancelJob{7})));
 }
 
+TEST(RunsPanel, MarksARunThatWasStoppedBeforeItsEnd) {
+  RunsModel model = two_runs();
+  EXPECT_FALSE(ShownRuns(model).screen.shows("incomplete"));
+  RunDocument stopped = made_run(101);
+  stopped.is_complete = false;
+  model.rows[1].document = RunDocument::from_steps(stopped);
+  model.rows[1].flight_end_s = 40.0;
+  ShownRuns shown(model);
+  EXPECT_EQ(shown.screen.at("Runs/2/incomplete").tooltip,
+            "wild stopped at 00:10.0 of 00:40.0, after 101 steps");
+  EXPECT_THAT(shown.screen.at("Runs/2/##activate").tooltip,
+              HasSubstr("incomplete: stopped at 00:10.0 of 00:40.0"));
+  model.rows[1].is_live = true;
+  EXPECT_FALSE(ShownRuns(model).screen.has("Runs/2/incomplete")) << "it is still going on";
+}
+
+TEST(RunsPanel, OfThreeRunsCutsLongNamesInTheMiddleAndTellsThemWhole) {
+  RunsModel model = two_runs();
+  const auto name = [](int number) {
+    return "a flight over the town at noon-" + std::to_string(number);
+  };
+  model.rows.push_back(row_of(3, name(3), made_document(210)));
+  model.rows[1].name = name(2);
+  ShownRuns shown(model);
+  std::vector<std::string> titles;
+  for (const kit::Control& control : shown.screen.controls()) {
+    if (control.kind == kit::ControlKind::kColumn &&
+        control.path.find("metrics") != std::string::npos)
+      titles.push_back(control.path);
+  }
+  ASSERT_EQ(titles.size(), 4U);
+  EXPECT_THAT(titles[2], HasSubstr("2##" + name(2)));
+  EXPECT_THAT(titles[3], HasSubstr("3##" + name(3)));
+  EXPECT_THAT(shown.screen.at(titles[3]).tooltip, HasSubstr(name(3)));
+  EXPECT_FALSE(shown.screen.has("Runs/3/" + name(3)));
+  EXPECT_TRUE(shown.screen.shows("noon-3")) << shown.screen.words();
+}
+
 TEST(RunsPanel, ComparesAgainOnlyWhenARunHasChanged) {
   ShownRuns shown(two_runs());
   const MetricRow* const kept = shown.state.comparison.metrics.data();
@@ -149,7 +209,7 @@ TEST(RunsPanel, ComparesAgainOnlyWhenARunHasChanged) {
   EXPECT_EQ(shown.state.comparison.metrics.data(), kept);
   shown.model.rows[1].document = made_document(210);
   shown.screen.wait(2, shown.draw());
-  EXPECT_THAT(shown.cell("largest", "wild"), HasSubstr("0.10"));
+  EXPECT_THAT(shown.cell("position max", "wild"), HasSubstr("0.10"));
 }
 
 TEST(RunsPanel, PutsTheActiveRunFirst) {
@@ -158,7 +218,7 @@ TEST(RunsPanel, PutsTheActiveRunFirst) {
   model.rows[1].is_active = true;
   ShownRuns shown(model);
   EXPECT_THAT(shown.state.numbers, ElementsAre(2, 1));
-  EXPECT_THAT(shown.cell("largest", "wild"), HasSubstr("8.00"));
+  EXPECT_THAT(shown.cell("position max", "wild"), HasSubstr("8.00"));
 }
 
 TEST(RunsPanel, ARunThatIsBeingReadIsNamedAndNotCompared) {
@@ -175,5 +235,5 @@ TEST(RunsPanel, WithoutRunsOffersTheDemo) {
               ElementsAre(Action(actions::OpenDemo{})));
 }
 
-}  // namespace
+}  // namespace runs_panel_test
 }  // namespace nadir

@@ -4,13 +4,14 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "tests/support/error_text.h"
 #include "widgets/kit/headless_ui.h"
 
 namespace nadir {
-namespace {
+namespace settings_panel_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -172,12 +173,54 @@ TEST_F(SettingsPanelTest, PresetsAreChosenAndSaved) {
   screen.click("Settings/preset", drawing());
   EXPECT_THAT(screen.click("Settings/preset/thesis", drawing()),
               ElementsAre(Action(actions::UsePreset{"thesis"})));
-  screen.click("Settings/Save as a recipe", drawing());
+  EXPECT_THAT(screen.click("Settings/Save as a recipe…", drawing()),
+              ElementsAre(Action(actions::ShowOverlay{Overlay::kSaveRecipe})));
+}
+
+TEST_F(SettingsPanelTest, EveryNumberOutOfRangeIsRefusedAtItsControlAndKept) {
   screen.wait(2, drawing());
-  EXPECT_FALSE(screen.at("Settings/Save as a recipe/Save preset").is_enabled);
-  screen.type("Settings/Save as a recipe/file", "wide.toml", drawing());
-  EXPECT_THAT(screen.click("Settings/Save as a recipe/Save preset", drawing()),
-              ElementsAre(Action(actions::SavePreset{"wide.toml"})));
+  for (const SettingRow& before : std::vector<SettingRow>(model.rows)) {
+    const bool is_number =
+        before.kind == SettingRow::Kind::kNumber || before.kind == SettingRow::Kind::kWhole;
+    if (!is_number || !std::isfinite(before.least) || before.least < -1e6) continue;
+    const std::string wrong = setting_text(before.least - 1.0, 1);
+    SCOPED_TRACE(before.name + " to " + wrong);
+    EXPECT_THAT(screen.type(path(before.name), wrong, drawing()), IsEmpty());
+    screen.wait(2, drawing());
+    EXPECT_EQ(screen.at(path(before.name)).value, wrong) << "it stays until it is corrected";
+    EXPECT_TRUE(screen.shows(before.range)) << screen.words();
+    EXPECT_TRUE(screen.shows("The run keeps " + before.value));
+    screen.click("Settings/" + before.group + "/Reset " + before.name, drawing());
+    screen.wait(2, drawing());
+    EXPECT_FALSE(screen.shows("The run keeps"));
+    EXPECT_NE(screen.at(path(before.name)).value, wrong);
+  }
+}
+
+TEST_F(SettingsPanelTest, WhatIsNoNumberIsRefusedAndCorrectedInPlace) {
+  screen.type(path("temperature"), "warm", drawing());
+  screen.wait(2, drawing());
+  EXPECT_EQ(screen.at(path("temperature")).value, "warm");
+  EXPECT_TRUE(screen.shows("'warm' is not a number")) << screen.words();
+  EXPECT_THAT(screen.type(path("temperature"), "0.5", drawing()),
+              ElementsAre(Action(actions::SetOption{"temperature", "0.5"})));
+  screen.wait(2, drawing());
+  EXPECT_FALSE(screen.shows("is not a number"));
+}
+
+TEST_F(SettingsPanelTest, EscapeTakesARefusedNumberBack) {
+  screen.type(path("temperature"), "-1", drawing());
+  EXPECT_EQ(state.refused.size(), 1U);
+  screen.type(path("temperature"), "-2", drawing(), false);
+  screen.press("Escape", drawing());
+  screen.wait(2, drawing());
+  EXPECT_TRUE(state.refused.empty());
+}
+
+TEST_F(SettingsPanelTest, HalfAParticleIsRefused) {
+  EXPECT_THAT(screen.type(path("particles"), "500.5", drawing()), IsEmpty());
+  screen.wait(2, drawing());
+  EXPECT_TRUE(screen.shows("'500.5' is not a whole number")) << screen.words();
 }
 
 TEST_F(SettingsPanelTest, AFaultIsSaid) {
@@ -222,5 +265,5 @@ TEST(SettingRows, EachGroupIsOneStretchOfTheList) {
   EXPECT_EQ(seen.size(), 5U);
 }
 
-}  // namespace
+}  // namespace settings_panel_test
 }  // namespace nadir

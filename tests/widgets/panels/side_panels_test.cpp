@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The small ones: rail, empty states, welcome, about.
+// The small ones: rail, empty states, welcome.
 #include <gmock/gmock.h>
 
 #include "tests/support/scratch_folder.h"
-#include "tests/widgets/panels/asked.h"
-#include "widgets/kit/headless_ui.h"
-#include "widgets/panels/about_overlay.h"
+#include "tests/widgets/panels/shown.h"
 #include "widgets/panels/empty_state.h"
 #include "widgets/panels/left_rail.h"
 #include "widgets/panels/welcome_panel.h"
 
 namespace nadir {
-namespace {
+namespace side_panels_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -63,29 +61,22 @@ TEST(EmptyState, HasNoButtonWhereNothingIsToBeDone) {
   }
 }
 
-struct Welcome {
-  explicit Welcome(const Eigen::Vector2d& size_px = {1280.0, 800.0})
-      : screen(ThemeName::kLight, 1.0, size_px) {}
-  kit::HeadlessUi screen;
-  WelcomeModel model;
-  PaletteState palette;
-  Actions operator()(kit::Ui& ui) { return draw_welcome(ui, model, palette); }
-};
+Actions draw_welcome_alone(kit::Ui& ui, const WelcomeModel& model, int& /*state*/) {
+  return draw_welcome(ui, model);
+}
+using Welcome = Shown<WelcomeModel, int, draw_welcome_alone>;
 
 TEST(Welcome, OffersTheDemoFilesAndDropping) {
   Welcome welcome;
-  EXPECT_THAT(texts(welcome.screen.click("Welcome/Open the demo", welcome)),
-              ElementsAre("open-demo"));
-  EXPECT_THAT(texts(welcome.screen.click("Welcome/Open files…", welcome)),
-              ElementsAre("show palette"));
-  EXPECT_EQ(welcome.palette.begun, "open");
+  EXPECT_THAT(welcome.click("Welcome/Open the demo"), ElementsAre("open-demo"));
+  EXPECT_THAT(welcome.click("Welcome/Open files…"), ElementsAre("show open"));
   EXPECT_TRUE(welcome.screen.shows("drop files here"));
 }
 
 TEST(Welcome, SaysThatTheDemoIsBeingMade) {
   Welcome welcome;
   welcome.model.busy = "making the demo";
-  welcome.screen.wait(2, welcome);
+  welcome.wait(2);
   EXPECT_FALSE(welcome.screen.at("Welcome/Open the demo").is_enabled);
   EXPECT_THAT(welcome.screen.at("Welcome/Open the demo").tooltip, HasSubstr("making the demo"));
 }
@@ -94,16 +85,15 @@ TEST(Welcome, ListsWhatWasOpenedWithItsFolder) {
   Welcome welcome;
   welcome.model.home = "/home/ada";
   welcome.model.recents = {"/home/ada/flights/loop.nadir", "/maps/town"};
-  EXPECT_THAT(
-      texts(welcome.screen.click("Welcome/Recent/loop##/home/ada/flights/loop.nadir", welcome)),
-      ElementsAre("open /home/ada/flights/loop.nadir"));
+  EXPECT_THAT(welcome.click("Welcome/Recent/loop##/home/ada/flights/loop.nadir"),
+              ElementsAre("open /home/ada/flights/loop.nadir"));
   EXPECT_EQ(welcome.screen.at("Welcome/Recent/loop##/home/ada/flights/loop.nadir").value,
             "~/flights");
 }
 
 TEST(Welcome, SaysWhereRecentFilesWillBe) {
   Welcome welcome;
-  welcome.screen.wait(2, welcome);
+  welcome.wait(2);
   EXPECT_TRUE(welcome.screen.shows("What you open is listed here."));
 }
 
@@ -113,7 +103,7 @@ TEST(Welcome, Of500RecentFilesDrawsOnlyThoseInSight) {
     welcome.model.recents.push_back("/flights/" + std::string(100, 'f') + "/" +
                                     std::string(100, 'n') + std::to_string(i) + ".nadir");
   }
-  welcome.screen.wait(3, welcome);
+  welcome.wait(3);
   std::size_t rows = 0;
   for (const kit::Control& control : welcome.screen.controls()) {
     if (control.kind == kit::ControlKind::kRow) ++rows;
@@ -128,17 +118,42 @@ TEST(Welcome, OffersToGoOnWithWhatWasCutShort) {
   welcome.model.offer =
       WelcomeModel::Offer{"loop was being localised when Nadir was killed.", "Open what there is",
                           actions::OpenFile{"/a/loop.nadir"}, 7};
-  EXPECT_THAT(texts(welcome.screen.click("Welcome/Open what there is", welcome)),
+  EXPECT_THAT(welcome.click("Welcome/Open what there is"),
               ElementsAre("open /a/loop.nadir", "dismiss 7"));
 }
 
 TEST(Welcome, FitsIntoTheSmallestWindow) {
-  Welcome welcome({640.0, 480.0});
-  welcome.screen.wait(3, welcome);
+  Welcome welcome(Eigen::Vector2d(640.0, 480.0));
+  welcome.wait(3);
   for (const char* const path : {"Welcome/Open the demo", "Welcome/Open files…"}) {
     EXPECT_TRUE(welcome.screen.at(path).is_visible) << path;
     EXPECT_LE(welcome.screen.at(path).rect.right(), 640.0);
   }
+}
+
+TEST(Welcome, OffersTheMapsOfAFlightThatWasOpenedByItself) {
+  Welcome welcome;
+  welcome.model.flight = WelcomeModel::LoneFlight{
+      "loop", "nadir flight, 100 pictures in 25 s", "", {"/day/town", "/maps/country"}};
+  EXPECT_THAT(welcome.click("Welcome/Flight/Open map town##/day/town"),
+              ElementsAre("open /day/town"));
+  EXPECT_THAT(welcome.click("Welcome/Flight/Open map country##/maps/country"),
+              ElementsAre("open /maps/country"));
+  EXPECT_THAT(welcome.click("Welcome/Flight/Another map…"), ElementsAre("show open"));
+  EXPECT_TRUE(welcome.screen.shows("100 pictures in 25 s"));
+  EXPECT_TRUE(welcome.fits());
+}
+
+TEST(Welcome, AsksForTheMapOfAFlightBesideWhichThereIsNone) {
+  Welcome welcome;
+  welcome.model.flight = WelcomeModel::LoneFlight{
+      "drive", "KITTI raw drive, 10 pictures in 1 s", "It has no labels.", {}};
+  EXPECT_THAT(welcome.click("Welcome/Flight/Open a map…"), ElementsAre("show open"));
+  EXPECT_TRUE(welcome.screen.shows("It has no labels."));
+  EXPECT_TRUE(welcome.screen.shows("but not localised"));
+  welcome.model.flight->facts.clear();
+  welcome.wait(2);
+  EXPECT_TRUE(welcome.screen.shows("The flight is being read."));
 }
 
 TEST(WelcomeModel, OfANewSessionOffersNothing) {
@@ -149,21 +164,5 @@ TEST(WelcomeModel, OfANewSessionOffersNothing) {
   EXPECT_EQ(model.busy, "");
 }
 
-TEST(About, SaysTheVersionCopiesItAndCloses) {
-  const AboutModel model{true, "1.2.3"};
-  kit::HeadlessUi screen;
-  const auto draw = [&](kit::Ui& ui) { return draw_about(ui, model); };
-  EXPECT_THAT(texts(screen.click("About Nadir/Copy version", draw)),
-              ElementsAre("copy \"Nadir 1.2.3\""));
-  EXPECT_THAT(texts(screen.click("About Nadir/Close", draw)), ElementsAre("show none"));
-  EXPECT_EQ(screen.at("About Nadir/Version").value, "1.2.3");
-}
-
-TEST(About, OfAClosedOneDrawsNothing) {
-  kit::HeadlessUi screen;
-  EXPECT_THAT(screen.wait(2, [](kit::Ui& ui) { return draw_about(ui, {}); }), IsEmpty());
-  EXPECT_FALSE(screen.has("About Nadir"));
-}
-
-}  // namespace
+}  // namespace side_panels_test
 }  // namespace nadir

@@ -2,6 +2,8 @@
 // Notices, status bar and log.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "tests/support/drawn_map.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/widgets/panels/asked.h"
@@ -11,7 +13,7 @@
 #include "widgets/panels/status_bar.h"
 
 namespace nadir {
-namespace {
+namespace status_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -144,6 +146,34 @@ TEST(StatusBar, ShowsMemoryAndThatAllIsSaved) {
   EXPECT_TRUE(status.screen.shows("recording"));
 }
 
+TEST(StatusBar, CountsWhatIsDrawnWithWhatIsDecoded) {
+  Status status;
+  status.model.memory_used_bytes = 212'000'000;
+  status.model.drawn_bytes = 88'000'000;
+  status.model.memory_megabytes = 512;
+  status.screen.wait(2, status);
+  EXPECT_TRUE(status.screen.shows("300 MB"));
+  const auto& controls = status.screen.controls();
+  const auto memory = std::find_if(controls.begin(), controls.end(), [](const auto& control) {
+    return control.tooltip.find("Memory") != std::string::npos;
+  });
+  ASSERT_NE(memory, controls.end());
+  EXPECT_THAT(memory->tooltip, HasSubstr("212 MB for what is decoded"));
+  EXPECT_THAT(memory->tooltip, HasSubstr("at most 512 MB"));
+  EXPECT_THAT(memory->tooltip, HasSubstr("88 MB for the map's tiles"));
+}
+
+TEST(StatusBar, SaysThatWhatIsOpenIsNotSavedAndTriesAgain) {
+  Status status;
+  status.model.saving_fault = "/config: Permission denied";
+  status.model.is_recording = true;
+  EXPECT_THAT(texts(status.screen.click("Status/not saved: try again", status)),
+              ElementsAre("save"));
+  EXPECT_THAT(status.screen.at("Status/not saved: try again").tooltip,
+              HasSubstr("/config: Permission denied"));
+  EXPECT_FALSE(status.screen.shows("recording"));
+}
+
 TEST(StatusBar, ShowsTheNewestJobAndStopsIt) {
   Status status;
   status.model.jobs = {{1, "writing report", 0.1, "", {}},
@@ -161,6 +191,17 @@ TEST(StatusBar, OfALongJobStaysInTheWindow) {
   for (const kit::Control& control : status.screen.controls())
     EXPECT_LE(control.rect.right(), 960.0) << control.path;
   EXPECT_TRUE(status.screen.at("Status/Cancel").is_visible);
+}
+
+TEST(StatusBar, SaysThatTheRunIsIncompleteInPlaceOfSaved) {
+  Status status(1280.0);
+  status.model.incomplete = "loop is incomplete: stopped at 00:43.0, after 430 steps";
+  status.screen.wait(2, status);
+  EXPECT_EQ(status.screen.at("Status/incomplete run").tooltip, status.model.incomplete);
+  EXPECT_FALSE(status.screen.has("Status/saved"));
+  status.model.is_recording = true;
+  status.screen.wait(2, status);
+  EXPECT_TRUE(status.screen.has("Status/recording"));
 }
 
 TEST(StatusBarModel, OfANewSessionSaysThatNothingIsOpen) {
@@ -249,5 +290,5 @@ TEST(Log, Of100000LinesDrawsThoseInSight) {
   EXPECT_LT(log.screen.controls().size(), 100U);
 }
 
-}  // namespace
+}  // namespace status_test
 }  // namespace nadir

@@ -8,7 +8,7 @@
 #include "tests/widgets/panels/timeline_run.h"
 
 namespace nadir {
-namespace {
+namespace stream_bars_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -79,12 +79,17 @@ TEST(StreamBars, TakeALowerRateForNoGap) {
   EXPECT_EQ(stream_words(labels), "labels: 12 samples, no gaps");
 }
 
-TEST(StreamBars, OfARunWithoutTruthOrWithOneStepAreFewer) {
+TEST(StreamBars, OfWhatIsNotThereStayAndSayThatItIsMissing) {
   const auto blind = made_document(20, [](RunStep& step) {
     step.truth_in_enu.reset();
     step.topview_cells = 0;
   });
-  EXPECT_THAT(names_of(stream_bars(timeline_of(blind))), ElementsAre("steps"));
+  const std::vector<StreamBar> bars = stream_bars(timeline_of(blind));
+  EXPECT_THAT(names_of(bars), ElementsAre("truth", "topview", "steps"));
+  EXPECT_THAT(bars[0].spans, ElementsAre());
+  EXPECT_FALSE(bars[0].is_there(1.0));
+  EXPECT_EQ(stream_words(bars[0]), "truth: missing");
+  EXPECT_EQ(stream_words(bars[1]), "topview: missing");
   const std::vector<StreamBar> one = stream_bars(timeline_of(made_document(1)));
   ASSERT_EQ(one.size(), 3U);
   EXPECT_THAT(one[2].spans, ElementsAre(TimeSpan{0.0, 0.0}));
@@ -123,5 +128,5 @@ TEST(TimelineExtent, OfOneStepIsNotEmpty) {
   }
 }
 
-}  // namespace
+}  // namespace stream_bars_test
 }  // namespace nadir

@@ -10,7 +10,7 @@
 #include "tests/widgets/panels/timeline_run.h"
 
 namespace nadir {
-namespace {
+namespace strip_lines_test {
 
 using ::testing::ElementsAre;
 
@@ -89,11 +89,13 @@ TEST(StripPlot, OfNeesIsRedJustWhereTheFilterIsOverConfident) {
   ASSERT_FALSE(red.line.x.empty());
   EXPECT_GT(red.line.x.front(), 3.9);
   EXPECT_LT(red.line.x.back(), 6.1);
-  EXPECT_DOUBLE_EQ(red.line.y.front(), chi_square_quantile(0.975, 3.0));
+  EXPECT_DOUBLE_EQ(red.line.y.front(), step_nees_bounds().upper);
   EXPECT_TRUE(plot.is_logarithmic);
   ASSERT_EQ(plot.levels.size(), 2U);
   EXPECT_NEAR(plot.levels[0].value, 9.348, 1e-3);
   EXPECT_NEAR(plot.levels[1].value, 0.216, 1e-3);
+  EXPECT_TRUE(plot.levels[0].is_bound) << "only above the upper one something is wrong";
+  EXPECT_FALSE(plot.levels[1].is_bound);
 }
 
 TEST(StripPlot, OfUpdateTimeHasTheTimeBetweenStepsWhereItIsNear) {
@@ -205,5 +207,5 @@ TEST(StripPlot, HeightsGoFromTheLowerEdgeToTheUpper) {
   EXPECT_TRUE(std::isnan(plot.height_of(std::nan(""))));
 }
 
-}  // namespace
+}  // namespace strip_lines_test
 }  // namespace nadir

@@ -12,7 +12,7 @@
 #include "widgets/panels/time_axis.h"
 
 namespace nadir {
-namespace {
+namespace timeline_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -200,6 +200,42 @@ TEST(Timeline, MarksAreHitExactlyAndSayWhatTheyAre) {
   EXPECT_THAT(shown.screen.tooltip(), HasSubstr("odd turn"));
 }
 
+TEST(Timeline, AMarkIsHitInItsLaneOnlyAndNeverStopsAScrub) {
+  Shown shown(timeline_of(made_document(1001)));
+  WorstMoment moment;
+  moment.kind = MomentKind::kLost;
+  const kit::Rect ruler = shown.screen.at("Timeline/Ruler").rect;
+  const double x = ruler.centre().x();
+  moment.time_s = shown.axis().time_s(x - 3.0);
+  shown.model.moments = {moment};
+  const double from_left = x - ruler.left;
+  EXPECT_THAT(
+      all_of<actions::Seek>(shown.screen.click_at("Timeline/Ruler", from_left, 6.0, shown.draw())),
+      ElementsAre(actions::Seek{shown.axis().time_s(x)}))
+      << "above the marks";
+  EXPECT_THAT(all_of<actions::Seek>(shown.screen.click_at("Timeline/Ruler", from_left,
+                                                          ruler.height - 6.0, shown.draw())),
+              ElementsAre(actions::Seek{moment.time_s}));
+  const auto seeks =
+      all_of<actions::Seek>(shown.screen.drag("Timeline/Ruler", 100.0, 0.0, shown.draw()));
+  ASSERT_GE(seeks.size(), 3U);
+  EXPECT_EQ(seeks.front(), actions::Seek{moment.time_s}) << "it began on the mark";
+  EXPECT_NEAR(seeks.back().time_s, shown.axis().time_s(x + 100.0), 1e-9);
+  EXPECT_FALSE(shown.state.is_scrubbing);
+}
+
+TEST(Timeline, TheRulersMenuIsAboutThePlaceWhereItWasOpened) {
+  Shown shown(timeline_of(made_document(1001)));
+  shown.model.time_s = 3.0;
+  shown.screen.right_click("Timeline/Ruler", shown.draw());
+  const double here_s = shown.axis().time_s(shown.screen.at("Timeline/Ruler").rect.centre().x());
+  const auto loops = all_of<actions::SetLoop>(
+      shown.screen.click("Timeline/Ruler menu/Play from here again and again", shown.draw()));
+  ASSERT_THAT(loops, SizeIs(1));
+  EXPECT_NEAR(loops[0].from_s.value(), here_s, 1e-9);
+  EXPECT_NEAR(loops[0].to_s.value(), 100.0, 1e-9);
+}
+
 TEST(Timeline, HoverSaysTimeAndValue) {
   Shown shown(timeline_of(made_document(1001)));
   shown.screen.hover("Timeline/update-time", shown.draw());
@@ -311,6 +347,49 @@ TEST(Timeline, OfOneStepOrNoneOrWithoutTruthIsDrawn) {
   EXPECT_THAT(blind.screen.tooltip(), HasSubstr("–"));
 }
 
+TEST(Timeline, TheMarksHaveAKeyLeftOfTheRuler) {
+  Shown shown(timeline_of(made_document(200)));
+  const kit::Rect ruler = shown.screen.at("Timeline/Ruler").rect;
+  shown.screen.input().mouse_px = Eigen::Vector2d(ruler.left + 40.0, ruler.centre().y());
+  shown.screen.wait(3, shown.draw());
+  EXPECT_THAT(shown.screen.tooltip(),
+              HasSubstr("full red diamond: largest error, high NEES, lost"));
+  EXPECT_THAT(shown.screen.tooltip(), HasSubstr("blue flag: your bookmark"));
+}
+
+TEST(Timeline, LeftOfAStripItsTooltipSaysWhatMayBeCutThere) {
+  TimelineModel model = timeline_of(made_document(501));
+  model.runs.insert(model.runs.begin(), timeline_run(made_document(501), false, 2));
+  Shown shown(model);
+  const kit::Rect strip = shown.screen.at("Timeline/sigma").rect;
+  shown.screen.input().mouse_px = Eigen::Vector2d(strip.left + 40.0, strip.centre().y());
+  shown.screen.wait(3, shown.draw());
+  EXPECT_THAT(shown.screen.tooltip(), HasSubstr("Standard deviation [m]"));
+  EXPECT_THAT(shown.screen.tooltip(), HasSubstr("made  0.50 0.50"));
+  EXPECT_THAT(shown.screen.tooltip(), HasSubstr("other  0.50 0.50"));
+}
+
+TEST(Timeline, ARunThatWasStoppedShowsWhereAndWhatIsMissing) {
+  RunDocument made = made_run(501);
+  made.is_complete = false;
+  TimelineModel model = timeline_of(RunDocument::from_steps(made));
+  model.runs[0].is_incomplete = true;
+  model.runs.insert(model.runs.begin(), timeline_run(made_document(1001), false, 2));
+  Shown shown(model);
+  const TimeAxis axis = shown.axis();
+  const auto hover_x = [&](const std::string& path, double x) {
+    const kit::Rect rect = shown.screen.at(path).rect;
+    shown.screen.input().mouse_px = Eigen::Vector2d(x, rect.centre().y());
+    shown.screen.wait(2, shown.draw());
+    return shown.screen.tooltip();
+  };
+  EXPECT_THAT(hover_x("Timeline/Ruler", std::round(axis.x_px(50.0))),
+              HasSubstr("made is incomplete · stopped at 00:50.0, after 501 steps"));
+  EXPECT_THAT(hover_x("Timeline/agreement", axis.x_px(70.0)),
+              HasSubstr("made  stopped at 00:50.0, after 501 steps"));
+  EXPECT_THAT(hover_x("Timeline/agreement", axis.x_px(30.0)), testing::Not(HasSubstr("stopped")));
+}
+
 TEST(Timeline, WithoutARunOffersTheDemo) {
   Shown shown(TimelineModel{});
   EXPECT_FALSE(shown.screen.has("Timeline/Ruler"));
@@ -319,6 +398,17 @@ TEST(Timeline, WithoutARunOffersTheDemo) {
   shown.model.reading = "loop";
   shown.screen.wait(2, shown.draw());
   EXPECT_TRUE(shown.screen.shows("loop is being read")) << shown.screen.words();
+}
+
+TEST(Timeline, KeepsWhatItsLineHasNoRoomForInAMenu) {
+  Shown shown(timeline_of(made_document(200)), 2.5);
+  EXPECT_FALSE(shown.screen.has("Timeline/Next worst moment"));
+  EXPECT_GE(shown.screen.at("Timeline/More").rect.left,
+            shown.screen.at("Timeline/##Time").rect.right());
+  EXPECT_THAT(shown.screen.click("Timeline/More/Next worst moment", shown.draw()),
+              ElementsAre(Action(actions::GoTo{Moment::kNextWorst})));
+  EXPECT_THAT(shown.screen.click("Timeline/More/Bookmark this moment", shown.draw()),
+              ElementsAre(Action(actions::ShowOverlay{Overlay::kBookmark})));
 }
 
 TEST(Timeline, GrowsWithTheScale) {
@@ -330,5 +420,5 @@ TEST(Timeline, GrowsWithTheScale) {
   EXPECT_NEAR(seeks[0].time_s, axis.time_s(axis.left_px + 100.0), 0.5 / axis.px_per_s());
 }
 
-}  // namespace
+}  // namespace timeline_test
 }  // namespace nadir

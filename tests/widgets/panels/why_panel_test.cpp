@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/panels/why_panel.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <chrono>
+#include <cmath>
 #include <set>
 #include <thread>
 
@@ -13,7 +15,7 @@
 #include "widgets/panels/surface_picture.h"
 
 namespace nadir {
-namespace {
+namespace why_panel_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -60,8 +62,8 @@ TEST_F(WhyPanelTest, SaysThatTheTruthWouldHaveFittedBetter) {
   screen.wait(2, drawing());
   EXPECT_TRUE(screen.shows("Missed: the truth fits better"));
   EXPECT_TRUE(screen.shows(model.answer->words)) << screen.words();
-  EXPECT_EQ(screen.at("Why/Costs/truth/mean cost").value, "0.0000");
-  EXPECT_EQ(screen.at("Why/Costs/truth/fits").value, "100 %");
+  EXPECT_EQ(screen.at("Why/Mean cost/Costs/truth/mean cost").value, "0.0000");
+  EXPECT_EQ(screen.at("Why/Mean cost/Costs/truth/fits").value, "100 %");
 }
 
 TEST_F(WhyPanelTest, EveryVerdictHasWordsOfItsOwn) {
@@ -78,23 +80,89 @@ TEST_F(WhyPanelTest, EveryVerdictHasWordsOfItsOwn) {
 TEST_F(WhyPanelTest, ShowsTheSurfaceWithItsCosts) {
   screen.wait(2, drawing());
   ASSERT_TRUE(model.answer->surface);
-  EXPECT_TRUE(screen.has("Why/Error surface/Surface"));
-  EXPECT_TRUE(screen.has("Why/Error surface/Turn"));
-  EXPECT_EQ(screen.at("Why/Error surface/cost at the truth").value, "0.0000");
+  EXPECT_TRUE(screen.has("Why/Error surface and topview/Surface"));
+  EXPECT_TRUE(screen.has("Why/Heading/Turn"));
+  EXPECT_EQ(screen.at("Why/Heading/cost at the truth").value, "0.0000");
   const auto first = state.surface.pixels;
   screen.wait(1, drawing());
   EXPECT_EQ(state.surface.pixels, first);  // made once
-  screen.click("Why/Error surface/##Cut/Best heading", drawing());
+  screen.click("Why/Error surface and topview/##Cut", drawing());
+  screen.click("Why/Error surface and topview/##Cut/best heading", drawing());
   screen.wait(1, drawing());
   EXPECT_TRUE(state.shows_best_turn);
   EXPECT_NE(state.surface.pixels, first);
 }
 
+TEST_F(WhyPanelTest, HasSentencePicturesAndFirstBarsInSightOfASmallWindow) {
+  // A window of 1280 x 800 leaves the panel 356 x 480.
+  kit::HeadlessUi small(ThemeName::kDark, 1.0, {380.0, 504.0});
+  small.wait(3, [this](kit::Ui& ui) {
+    const auto content = ui.scroll_area("Content");
+    return draw_why_panel(ui, model, state);
+  });
+  const auto bottom_of = [&](const std::string& path) { return small.at(path).rect.bottom(); };
+  const kit::Rect surface = small.at("Why/Error surface and topview/Surface").rect;
+  const kit::Rect patch = small.at("Why/Error surface and topview/Patch").rect;
+  EXPECT_LE(small.at("Why/" + model.answer->words).rect.bottom(), surface.top);
+  EXPECT_EQ(surface.top, patch.top);
+  EXPECT_EQ(surface.height, patch.height);
+  EXPECT_GT(patch.left, surface.right());
+  EXPECT_LT(patch.right(), 380.0);
+  EXPECT_GT(bottom_of("Why/Agreement by class/Agreement"), surface.bottom());
+  EXPECT_LT(bottom_of("Why/Agreement by class/Agreement/road"), 492.0);
+}
+
+TEST_F(WhyPanelTest, ShowsThePictureThatIsChosen) {
+  screen.wait(2, drawing());
+  const std::string combo = "Why/Error surface and topview/##Patch";
+  EXPECT_EQ(screen.at(combo).value, "fits the map");
+  screen.click(combo, drawing());
+  screen.click(combo + "/map at truth", drawing());
+  screen.wait(1, drawing());
+  EXPECT_EQ(screen.at(combo).value, "map at truth");
+  screen.hover("Why/Error surface and topview/Patch", drawing());
+  EXPECT_THAT(screen.tooltip(), HasSubstr("map at the truth"));
+}
+
+TEST_F(WhyPanelTest, AFoldedSectionStaysFoldedWhileAnotherPanelShows) {
+  screen.wait(2, drawing());
+  screen.click("Why/Agreement by class", drawing());
+  screen.wait(1, drawing());
+  EXPECT_EQ(screen.at("Why/Agreement by class").value, "closed");
+  screen.wait(120, [](kit::Ui& ui) { ui.text("another panel"); });
+  screen.wait(2, drawing());
+  EXPECT_EQ(screen.at("Why/Agreement by class").value, "closed");
+  EXPECT_FALSE(screen.has("Why/Agreement by class/Agreement"));
+  EXPECT_EQ(screen.at("Why/Cost by class").value, "open");
+}
+
+TEST_F(WhyPanelTest, SaysAtWhichPoseEachClassIsCheaperAndByHowMuch) {
+  screen.wait(2, drawing());
+  const MomentExplanation& moment = *model.answer->explanation;
+  const std::string table = "Why/Cost by class/Cost by class/";
+  EXPECT_TRUE(screen.shows("lower is better"));
+  double sum = 0.0;
+  for (const ClassDifference& difference : moment.by_class) {
+    const std::string row = table + std::string(class_info(difference.id).name);
+    sum += difference.cost_difference;
+    if (std::abs(difference.cost_difference) < 5e-5) {
+      EXPECT_EQ(screen.at(row + "/cheaper at").value, "neither");
+      continue;
+    }
+    EXPECT_EQ(screen.at(row + "/cheaper at").value,
+              difference.cost_difference < 0.0 ? "truth" : "estimate");
+    EXPECT_EQ(screen.at(row + "/by").value,
+              fmt::format("{:.4f}", std::abs(difference.cost_difference)));
+  }
+  EXPECT_EQ(screen.at(table + "all/cheaper at").value, "truth") << "nothing fits better";
+  EXPECT_EQ(screen.at(table + "all/by").value, fmt::format("{:.4f}", std::abs(sum)));
+}
+
 TEST_F(WhyPanelTest, AClickOnTheSurfaceShowsThatPlaceOnTheMap) {
   screen.wait(2, drawing());
-  const kit::Rect area = screen.at("Why/Error surface/Surface").rect;
+  const kit::Rect area = screen.at("Why/Error surface and topview/Surface").rect;
   const ErrorSurfaceGrid& grid = model.answer->surface->volume.grid;
-  const Actions asked = screen.click_at("Why/Error surface/Surface",
+  const Actions asked = screen.click_at("Why/Error surface and topview/Surface",
                                         area.width / 2.0 + 10.0 * area.width / grid.count_x,
                                         area.height / 2.0, drawing());
   ASSERT_EQ(asked.size(), 1U);
@@ -241,5 +309,19 @@ TEST(CostRange, OfOneCostIsAsGoodAsCanBe) {
   EXPECT_EQ(cost_range({}).goodness(0.0F), 1.0);
 }
 
-}  // namespace
+TEST_F(WhyPanelTest, TheWheelOverTheErrorSurfaceScrollsThePanel) {
+  kit::HeadlessUi low(ThemeName::kDark, 1.0, {400.0, 500.0});
+  low.wait(3, drawing());
+  // Down over the first, and up again over the second, which lies at the panel's end.
+  for (const auto& [picture, notches] : {std::pair("Why/Error surface and topview/Surface", -2.0),
+                                         std::pair("Why/Heading/Turn", 2.0)}) {
+    low.hover(picture, drawing());
+    const double before = low.at(picture).rect.top;
+    low.scroll(picture, notches, drawing());
+    low.wait(2, drawing());
+    EXPECT_GT((low.at(picture).rect.top - before) * notches, 20.0) << picture;
+  }
+}
+
+}  // namespace why_panel_test
 }  // namespace nadir

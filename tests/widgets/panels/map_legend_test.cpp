@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include "tests/widgets/panels/made_moment.h"
+#include "tests/widgets/views/drawn_chart.h"
+#include "widgets/panels/map_lines.h"
+
+namespace nadir {
+namespace map_legend_test {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+class MapLegend : public ::testing::Test {
+ protected:
+  MapLegend() {
+    for (LayerLook& layer : model.look.layers) layer.is_visible = false;
+  }
+  void show(Layer layer) { model.look.layer(layer).is_visible = true; }
+  [[nodiscard]] std::vector<LegendEntry> entries() const {
+    return map_legend(model, {1}, theme(ThemeName::kDark));
+  }
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> all;
+    for (const LegendEntry& entry : entries()) all.push_back(entry.name);
+    return all;
+  }
+
+  const MadeMoment made;
+  MapViewModel model = made.map_view();
+};
+
+TEST_F(MapLegend, NamesWhatIsShownOnly) {
+  EXPECT_THAT(names(), IsEmpty());
+  show(Layer::kTruth);
+  show(Layer::kEstimate);
+  EXPECT_THAT(names(), ElementsAre("truth", "estimate"));
+  show(Layer::kLabels);
+  EXPECT_THAT(names(), Contains("road"));
+  EXPECT_THAT(names(), Not(Contains("car")));
+  model.look.layer(Layer::kLabels).opacity = 0.0;
+  EXPECT_THAT(names(), ElementsAre("truth", "estimate")) << "what is clear is not in sight";
+}
+
+TEST_F(MapLegend, ShowsParticlesAsTheyAreDrawn) {
+  show(Layer::kParticles);
+  ASSERT_THAT(names(), ElementsAre("particles"));
+  const LegendEntry alike = entries()[0];
+  EXPECT_EQ(alike.kind, LegendEntry::Kind::kParticle);
+  EXPECT_EQ(alike.colour, value_colour(ValueColours::kViridis, kEqualWeightShare));
+  EXPECT_EQ(alike.casing.alpha, particle_casing(theme(ThemeName::kDark), true).alpha);
+  RunStep weighed = *made.step;
+  weighed.particles->weight[7] *= 2.0;
+  model.step = std::make_shared<const RunStep>(weighed);
+  EXPECT_EQ(entries()[0].kind, LegendEntry::Kind::kParticles);
+  EXPECT_THAT(names(), ElementsAre("particles")) << "as long as before, so that nothing moves";
+  weighed.particles.reset();
+  model.step = std::make_shared<const RunStep>(weighed);
+  EXPECT_THAT(names(), IsEmpty()) << "none were recorded";
+}
+
+TEST_F(MapLegend, NamesClassesOfTheTopview) {
+  show(Layer::kTopview);
+  EXPECT_THAT(names(), Contains("road"));
+  model.step.reset();
+  EXPECT_THAT(names(), IsEmpty()) << "nothing is decoded";
+  model.step = made.step;
+  model.map.reset();
+  EXPECT_THAT(names(), Contains("road")) << "without a map those that were seen";
+  model.look.topview_at = PoseSource::kOdometry;
+  RunStep lost = *made.step;
+  lost.odometry_in_enu.reset();
+  model.step = std::make_shared<const RunStep>(lost);
+  EXPECT_THAT(names(), IsEmpty()) << "it lies nowhere";
+}
+
+TEST_F(MapLegend, LeavesOutClassesInAHalf) {
+  show(Layer::kTopview);
+  show(Layer::kTruth);
+  std::vector<std::string> all;
+  for (const LegendEntry& entry : map_legend(model, {1}, theme(ThemeName::kDark), false)) {
+    all.push_back(entry.name);
+  }
+  EXPECT_THAT(all, ElementsAre("truth"));
+}
+
+TEST_F(MapLegend, OutlinesAClassThatIsAsDarkAsThePlate) {
+  show(Layer::kLabels);
+  for (const LegendEntry& entry : entries()) {
+    const bool is_dark = entry.colour == class_colour(kBuilding);
+    EXPECT_EQ(entry.kind == LegendEntry::Kind::kOutlinedBar, is_dark) << entry.name;
+  }
+}
+
+TEST_F(MapLegend, NamesAgreementInItsColours) {
+  show(Layer::kDisagreement);
+  const Theme& dark = theme(ThemeName::kDark);
+  ASSERT_THAT(names(), ElementsAre("agrees", "disagrees", "unknown to the map"));
+  EXPECT_EQ(entries()[0].colour, dark.agreement);
+  EXPECT_EQ(entries()[1].colour, dark.disagreement);
+  EXPECT_EQ(entries()[1].kind, LegendEntry::Kind::kStripedBar);
+  model.map.reset();
+  EXPECT_THAT(names(), IsEmpty());
+}
+
+TEST_F(MapLegend, NamesTheScaleOfTheErrorSurfaceWhileItIsThere) {
+  show(Layer::kErrorSurface);
+  EXPECT_THAT(names(), IsEmpty());
+  model.surface_costs = CostRange{0.21F, 0.84F};
+  ASSERT_THAT(names(), ElementsAre("cost 0.84 to 0.21"));
+  EXPECT_EQ(entries()[0].kind, LegendEntry::Kind::kRamp);
+}
+
+TEST_F(MapLegend, NamesRunsWhereThereAreSeveral) {
+  show(Layer::kEstimate);
+  MapRun other = model.runs[0];
+  other.number = 2;
+  other.name = "again";
+  other.is_active = false;
+  model.runs.insert(model.runs.begin(), other);
+  std::vector<std::string> all;
+  for (const LegendEntry& entry : map_legend(model, {1, 2}, theme(ThemeName::kDark))) {
+    all.push_back(entry.name);
+  }
+  EXPECT_THAT(all, ElementsAre("loop", "again"));
+}
+
+TEST(MapLegendPlate, LiesAtTheLowerRightAndLeavesTheScaleBarItsPlace) {
+  const std::vector<LegendEntry> many(12, {"lane marking", {1, 2, 3}, LegendEntry::Kind::kBar});
+  for (const double width : {400.0, 576.0, 1200.0}) {
+    RecordingCanvas canvas;
+    const MapFrame frame{{0.0, 0.0, width, 540.0}, {}, 96.0 / 72.0};
+    const PageRect plate = draw_map_legend(canvas, frame, many, theme(ThemeName::kDark));
+    ASSERT_GT(plate.width, 0.0) << width;
+    EXPECT_GT(plate.left, 0.27 * width);
+    EXPECT_LT(plate.right(), width);
+    EXPECT_LT(plate.height, 0.5 * 540.0);
+    EXPECT_EQ(canvas.texts.size(), many.size()) << "all of it is said";
+  }
+  RecordingCanvas canvas;
+  const MapFrame narrow{{0.0, 0.0, 150.0, 540.0}, {}, 96.0 / 72.0};
+  EXPECT_EQ(draw_map_legend(canvas, narrow, many, theme(ThemeName::kDark)).width, 0.0);
+  EXPECT_THAT(canvas.fills, IsEmpty());
+}
+
+}  // namespace map_legend_test
+}  // namespace nadir

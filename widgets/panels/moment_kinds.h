@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/session/worst_moments.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/kit/ui_parts.h"
+#include "widgets/views/theme.h"
+
+namespace nadir {
+
+/// How a kind of worst moment is told from the others, in lists and on the timeline.
+struct MomentKindLook {
+  std::string_view name;     ///< "high NEES".
+  std::string_view meaning;  ///< A sentence without a full stop.
+  kit::Icon icon = kit::Icon::kNone;
+  kit::TextLook look =
+      kit::TextLook::kMuted;  ///< What is wrong is bad, what is doubtful a warning.
+};
+[[nodiscard]] const MomentKindLook& moment_kind_look(MomentKind kind);
+
+/// The mark of a kind on the timeline: its shape tells what its colour does.
+enum class MomentMark { kFilledDiamond, kHollowDiamond, kDisc };
+[[nodiscard]] MomentMark moment_mark(MomentKind kind);
+[[nodiscard]] Rgba moment_colour(MomentKind kind, const Theme& theme);
+/// @param at  Its centre on the page. @param half_px  From there to its corners.
+void draw_moment_mark(
+    Canvas& canvas, const Eigen::Vector2d& at, double half_px, MomentKind kind, const Theme& theme);
+
+/// What the marks of the timeline mean, a line each; the first is a heading.
+[[nodiscard]] std::vector<std::string> mark_key_lines();
+
+/// Indices of moments from the most severe on; of equals the earlier first.
+[[nodiscard]] std::vector<std::size_t> by_severity(std::span<const WorstMoment> moments);
+
+/// "3.2 times its limit": what a severity says.
+[[nodiscard]] std::string severity_words(double severity);
+
+}  // namespace nadir

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "core/session/run_document.h"
+
+namespace nadir {
+
+/// A name as wide as there is room: with "…" in the middle where it is wider, for names of runs differ at their ends. At least
+/// three characters stay.
+/// @param width_of  Of a line of text, in the unit of `room`.
+[[nodiscard]] std::string fitted_name(const std::string& name,
+                                      double room,
+                                      const std::function<double(const std::string&)>& width_of);
+
+/// Whether a run ended before its end: it was stopped or killed, or another program is still writing it.
+/// @param is_live  This program is writing it.
+[[nodiscard]] bool is_incomplete(const RunDocument& run, bool is_live);
+
+/// "stopped at 00:43.0 of 01:40.0, after 430 steps".
+/// @param flight_end_s  Last frame of the flight after the run's first step; not above 0: not known.
+[[nodiscard]] std::string incomplete_words(const RunDocument& run, double flight_end_s = 0.0);
+
+}  // namespace nadir
