@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The window on the desktop.
-#include <algorithm>
 #include <chrono>
 #include <string>
+#include <utility>
 
+#include "app/gui/frame_pace.h"
 #include "app/gui/gui_shell.h"
 #include "widgets/gl/desktop_window.h"
 #include "widgets/kit/desktop_input.h"
@@ -15,12 +16,23 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// While nothing moves the window sleeps until there is input; this often it looks at files that grow.
-constexpr double kLongestSleepS = 0.5;
-/// While work goes on in the background: often enough for its progress, seldom enough to leave it the processor.
-constexpr double kSleepWhileWorkingS = 0.05;
-/// After input a few frames follow each other, for what opens and settles.
-constexpr int kFramesAfterInput = 3;
+double seconds_since(Clock::time_point moment) {
+  return std::chrono::duration<double>(Clock::now() - moment).count();
+}
+
+/// Waits for input as long as the pace allows, or takes what has come.
+void take_events(DesktopWindow& window, FramePace& pace, double sleep_s) {
+  const Eigen::Vector2i before = window.framebuffer_size();
+  bool has_woken = false;
+  if (sleep_s > 0.0) {
+    const auto slept = Clock::now();
+    DesktopWindow::wait_events(sleep_s);
+    has_woken = seconds_since(slept) < sleep_s;
+  } else {
+    DesktopWindow::poll_events();
+  }
+  if (has_woken || window.has_events() || window.framebuffer_size() != before) pace.hear();
+}
 
 std::string title_of(const Session& session) {
   const OpenRun* const run = session.active_run();
@@ -33,47 +45,39 @@ Result<void> run_desktop_gui(const GuiRequest& request) {
   auto window = DesktopWindow::create("Nadir", request.width, request.height);
   if (!window) return forward_error(window);
   kit::UiContext context;
-  kit::DesktopInput input(context, (*window)->handle());
+  kit::DesktopInput input(context, **window);
   auto renderer = kit::UiRenderer::create(context);
   if (!renderer) return forward_error(renderer);
   GuiShell shell(request, [&context](const std::string& text) { context.set_clipboard(text); });
   std::string title;
   auto last = Clock::now();
-  int frames_to_draw = kFramesAfterInput;
+  FramePace pace;
   while (!shell.wants_to_quit()) {
-    double sleep_s = std::min(kLongestSleepS, context.next_frame_within_s());
-    if (shell.is_busy()) sleep_s = std::min(sleep_s, kSleepWhileWorkingS);
-    if (shell.is_moving() || frames_to_draw > 0) sleep_s = 0.0;
-    if (sleep_s > 0.0) {
-      const auto slept = Clock::now();
-      DesktopWindow::wait_events(sleep_s);
-      const double waited_s = std::chrono::duration<double>(Clock::now() - slept).count();
-      if (waited_s < sleep_s) frames_to_draw = kFramesAfterInput;
-    } else {
-      DesktopWindow::poll_events();
-      frames_to_draw = std::max(0, frames_to_draw - 1);
-    }
+    const FramePace::Doings doings{shell.is_moving(), shell.is_busy(), input.is_waiting(),
+                                   !(*window)->is_minimised(), context.next_frame_within_s()};
+    take_events(**window, pace, pace.sleep_s(doings));
     for (const auto& file : (*window)->take_dropped_files()) {
       shell.session().apply(actions::OpenFile{file.string()});
-      frames_to_draw = kFramesAfterInput;
+      pace.hear();
     }
     if ((*window)->should_close()) {
       (*window)->set_should_close(false);
       shell.session().apply(actions::Quit{});
     }
-    context.set_look(shell.theme_name(), shell.scale((*window)->content_scale()));
-    context.set_motion_reduced(shell.session().view().appearance.is_motion_reduced);
-    const auto now = Clock::now();
-    const kit::FrameInput taken = input.take();
-    const bool is_minimised = (*window)->framebuffer_size().minCoeff() <= 0;
-    if (is_minimised) {
-      DesktopWindow::wait_events(kLongestSleepS);
+    const double elapsed_s = seconds_since(std::exchange(last, Clock::now()));
+    if ((*window)->is_minimised()) {
+      shell.poll(elapsed_s);
       continue;
     }
+    const kit::FrameInput taken = input.take();
+    if (input.is_waiting()) pace.hear();
+    const double own_scale = interface_scale((*window)->content_scale(), taken.framebuffer_scale);
+    context.set_look(shell.theme_name(), shell.scale(own_scale));
+    context.set_motion_reduced(shell.session().view().appearance.is_motion_reduced);
     kit::Ui& ui = context.begin_frame(taken);
-    shell.frame(ui, std::chrono::duration<double>(now - last).count());
-    last = now;
+    shell.frame(ui, elapsed_s);
     context.end_frame();
+    pace.draw();
     (*window)->clear(theme(shell.theme_name()).window);
     (*renderer)->draw();
     (*window)->swap();

@@ -2,7 +2,6 @@
 #include "app/gui/flight_scene.h"
 
 #include "core/eval/evaluated_step.h"
-#include "core/session/step_pose.h"
 #include "widgets/figures/flight_moments.h"
 
 namespace nadir {
@@ -38,29 +37,27 @@ FlightScene::FlightScene(const Eigen::Vector2d& centre_in_enu_m)
       texture_(scene_.renderer()),
       cloud_(scene_),
       frustum_(scene_, frustum_look()) {
-  cloud_.set_visible(false);
-  frustum_.set_visible(false);
+  show_cloud(false);
 }
 
-Result<void> FlightScene::show(const std::shared_ptr<const RunStep>& step,
+void FlightScene::show_cloud(bool shows) {
+  shows_cloud_ = shows;
+  cloud_.set_visible(shows);
+  frustum_.set_visible(shows);
+}
+
+Result<void> FlightScene::show(const std::optional<Rigid2>& pose_in_enu,
                                const std::shared_ptr<const CameraMoment>& camera,
-                               const FlightRecording* flight,
-                               PoseSource laid_at) {
-  if (step == step_ && camera == seen_ && laid_at == laid_at_) return {};
-  step_ = step;
-  laid_at_ = laid_at;
-  is_changed_ = true;
-  pose_in_enu_.reset();
-  if (step) {
-    pose_in_enu_ = pose_of(*step, laid_at);
-    if (pose_in_enu_ && !is_finite(*pose_in_enu_)) pose_in_enu_.reset();
-  }
+                               const FlightRecording* flight) {
+  const auto known = pose_in_enu && is_finite(*pose_in_enu) ? pose_in_enu : std::nullopt;
+  if (known == pose_in_enu_ && camera == seen_) return {};
+  pose_in_enu_ = known;
   seen_ = camera;
+  is_changed_ = true;
   const bool has_cloud = pose_in_enu_ && camera && flight != nullptr &&
                          flight->description().camera && !camera->labels.empty() &&
                          !camera->depth_m.empty();
-  cloud_.set_visible(has_cloud);
-  frustum_.set_visible(has_cloud);
+  show_cloud(false);  // what is shown is of another moment
   if (!has_cloud) return {};
   auto moment = flight_moment(flight->description(), camera->clock_s, camera->labels,
                               camera->depth_m, kFarthestPointM, 1);
@@ -71,6 +68,7 @@ Result<void> FlightScene::show(const std::shared_ptr<const RunStep>& step,
   cloud_.show(moment->cloud);
   cloud_.place(enu_from_level);
   frustum_.place(moment->camera, enu_from_level * moment->level_from_camera, kFrustumLengthM);
+  show_cloud(true);
   return {};
 }
 

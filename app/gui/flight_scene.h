@@ -8,9 +8,8 @@
 
 #include "core/base/result.h"
 #include "core/flight/flight_recording.h"
-#include "core/run/run_file.h"
+#include "core/geo/rigid2.h"
 #include "core/session/step_cache.h"
-#include "core/session/view_state.h"
 #include "widgets/gl/view_texture.h"
 #include "widgets/views/cloud_view.h"
 #include "widgets/views/frustum_view.h"
@@ -29,12 +28,12 @@ class FlightScene {
   [[nodiscard]] static Result<std::unique_ptr<FlightScene>> open(
       const std::filesystem::path& package);
 
-  /// Cheap where step and camera moment are those of the last call. @param step, camera  Null: nothing to be seen.
-  /// @errors kMalformed: labels or depth do not have the camera's size.
-  [[nodiscard]] Result<void> show(const std::shared_ptr<const RunStep>& step,
+  /// Cheap where pose and camera moment are those of the last call; keeps what is shown where it is not called.
+  /// @param pose_in_enu, camera  Nothing, null: nothing to be seen.
+  /// @errors kMalformed: labels or depth do not have the camera's size; then no cloud is shown.
+  [[nodiscard]] Result<void> show(const std::optional<Rigid2>& pose_in_enu,
                                   const std::shared_ptr<const CameraMoment>& camera,
-                                  const FlightRecording* flight,
-                                  PoseSource laid_at);
+                                  const FlightRecording* flight);
 
   /// @param camera  Nothing: behind and above the vehicle. @returns the camera that was used.
   /// @errors kMalformed: the map's file is damaged there.
@@ -44,20 +43,23 @@ class FlightScene {
                                          int height,
                                          double px_per_pt);
   [[nodiscard]] std::uint32_t texture() const { return texture_.texture(); }
+  [[nodiscard]] bool shows_cloud() const { return shows_cloud_; }
+  /// Of the ground, at most, in main memory and as textures.
+  [[nodiscard]] std::size_t tile_bytes() const { return ground_->tile_bytes(); }
 
  private:
   explicit FlightScene(const Eigen::Vector2d& centre_in_enu_m);
   [[nodiscard]] SpaceCamera behind_vehicle(const PageRect& where) const;
+  void show_cloud(bool shows);
 
   SpaceScene scene_;
   ViewTexture texture_;
   std::unique_ptr<GroundView> ground_;
   CloudView cloud_;
   FrustumView frustum_;
-  std::shared_ptr<const RunStep> step_;
   std::shared_ptr<const CameraMoment> seen_;
-  std::optional<PoseSource> laid_at_;
   std::optional<Rigid2> pose_in_enu_;
+  bool shows_cloud_ = false;
   bool is_changed_ = true;
   struct Sight {
     SpaceCamera camera;

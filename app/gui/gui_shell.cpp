@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/gui/gui_shell.h"
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -54,15 +55,23 @@ GuiShell::GuiShell(const GuiRequest& request, std::function<void(const std::stri
 
 GuiShell::~GuiShell() = default;
 
-void GuiShell::frame(kit::Ui& ui, double elapsed_s) {
+void GuiShell::poll(double elapsed_s) {
+  constexpr double kLongestS = 1.0;  // of a machine that slept playback does not make up for
   log_->tell(session_);
   effects_.poll(session_);
-  session_.poll(elapsed_s);
+  session_.poll(std::min(elapsed_s, kLongestS));
+}
+
+void GuiShell::frame(kit::Ui& ui, double elapsed_s) {
+  poll(elapsed_s);
+  if (is_first_frame_) ui.set_turned_sections(session_.turned_sections());
+  is_first_frame_ = false;
   window_.frame(ui);
+  session_.keep_turned_sections(ui.turned_sections());
 }
 
 bool GuiShell::is_busy() const {
-  return session_.is_busy() || effects_.is_busy() || window_.wants_more();
+  return session_.is_busy() || effects_.is_busy() || window_.is_working() || window_.wants_more();
 }
 
 bool GuiShell::is_moving() const { return session_.playback().is_playing || window_.wants_more(); }

@@ -20,7 +20,10 @@ class GuiShell {
   GuiShell& operator=(const GuiShell&) = delete;
 
   [[nodiscard]] Session& session() { return session_; }
-  /// Draws one frame. @param elapsed_s  Since the last one.
+  /// Goes on with all that goes on, without drawing: of a window that nobody can see. @param elapsed_s  Since the last one, or
+  /// frame.
+  void poll(double elapsed_s);
+  /// The same, and draws one frame.
   void frame(kit::Ui& ui, double elapsed_s);
   [[nodiscard]] bool wants_to_quit() const { return effects_.wants_to_quit(); }
   /// Whether something moves or grows by itself, so that the next frame must follow soon.
@@ -34,6 +37,7 @@ class GuiShell {
  private:
   class LogTap;
   double asked_scale_;
+  bool is_first_frame_ = true;
   Session session_;
   EffectRunner effects_;
   GuiWindow window_;

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "app/gui/flight_scene.h"
 #include "app/gui/ground_picture.h"
 #include "app/gui/picture_textures.h"
+#include "app/gui/window_arrangement.h"
 #include "core/session/ground_reconstruction.h"
 #include "core/session/session.h"
 #include "widgets/kit/ui.h"
@@ -17,6 +19,8 @@
 #include "widgets/panels/bookmarks_panel.h"
 #include "widgets/panels/camera_panel.h"
 #include "widgets/panels/command_palette.h"
+#include "widgets/panels/export_box.h"
+#include "widgets/panels/file_box.h"
 #include "widgets/panels/layers_panel.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/map_view.h"
@@ -45,34 +49,59 @@ class GuiWindow {
 
   /// Draws one frame and applies what was asked for in it.
   void frame(kit::Ui& ui);
-  /// Whether another frame would show more without anybody doing anything: tiles, computations.
-  [[nodiscard]] bool wants_more() const;
+  /// Whether the very next frame would show more without anybody doing anything: tiles come in.
+  [[nodiscard]] bool wants_more() const { return wants_more_; }
+  /// Whether something is being computed that will be shown.
+  [[nodiscard]] bool is_working() const;
 
  private:
-  struct Places;
-  [[nodiscard]] Places arrange(const kit::Ui& ui) const;
-  void draw_columns(kit::Ui& ui, const Places& places, Actions& asked);
+  [[nodiscard]] bool is_empty() const;
+  [[nodiscard]] WindowPlaces arrange(const kit::Ui& ui);
+  void note_front(const Actions& asked);
+  void draw_columns(kit::Ui& ui, const WindowPlaces& places, Actions& asked);
   void draw_left(kit::Ui& ui, Actions& asked);
   void draw_right(kit::Ui& ui, Actions& asked);
   void draw_middle(kit::Ui& ui, Actions& asked);
-  void draw_splitters(kit::Ui& ui, const Places& places, Actions& asked);
+  void draw_splitters(kit::Ui& ui, const WindowPlaces& places, Actions& asked);
   void draw_overlays(kit::Ui& ui, Actions& asked);
   void follow_map();
+  /// The error surface of this moment; null while it is not there.
+  [[nodiscard]] std::shared_ptr<const MomentSurface> surface_now() const;
+  [[nodiscard]] GroundPicture& ground_of(const MapGround& wanted);
   [[nodiscard]] kit::TextureId draw_ground(const MapGround& wanted, const kit::Ui& ui);
   [[nodiscard]] kit::TextureId draw_scene(const SceneWish& wanted, const kit::Ui& ui);
+  /// Lets go of grounds and pictures that this frame does not show.
+  void forget_unseen();
+  /// Of pictures and tiles, in main memory and as textures.
+  [[nodiscard]] std::size_t drawn_bytes() const;
   void complain_once(const Error& error);
+
+  /// The ground of one pane of the map.
+  struct PaneGround {
+    std::unique_ptr<GroundPicture> picture;
+    int run = 0;            ///< Number of the run that lies on it.
+    bool is_drawn = false;  ///< In this frame.
+  };
 
   Session& session_;
   PictureTextures textures_;
   MomentInquiry inquiry_;
   GroundReconstruction reconstruction_;
-  std::filesystem::path map_path_;                         ///< That grounds and scene are of.
-  std::map<int, std::unique_ptr<GroundPicture>> grounds_;  ///< By the number of their run.
+  std::filesystem::path map_path_;             ///< That grounds and scene are of.
+  std::shared_ptr<const MapIndex> map_index_;  ///< Of it, when they were made last.
+  bool can_map_be_drawn_ = true;               ///< False: it could not be opened, once.
+  std::shared_ptr<TileBudget> tiles_ = std::make_shared<TileBudget>();
+  std::array<PaneGround, 2> grounds_;  ///< Of the map, and of the second one of a split view.
   std::unique_ptr<FlightScene> scene_;
-  std::string last_complaint_;
+  std::set<std::string> complaints_;  ///< About the map that is open.
   bool wants_more_ = false;
+  WindowSide front_ = WindowSide::kRight;  ///< Column whose panel was asked for last.
+  Panel shown_left_ = Panel::kLayers, shown_right_ = Panel::kMoment;
   // What the panels keep from frame to frame.
   PaletteState palette_;
+  FileBoxState file_box_;
+  ExportState export_;
+  FolderReader box_folder_, export_folder_;  ///< What those two look into.
   ShortcutSheetState shortcuts_;
   PreferencesState preferences_;
   PlaceState place_;

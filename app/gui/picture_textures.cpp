@@ -4,8 +4,8 @@
 namespace nadir {
 namespace {
 
-/// A panel that is left and come back to finds its pictures.
-constexpr std::uint64_t kFramesKept = 30;
+/// A picture that is made anew each frame would fill the memory with those before: what one frame did not show goes.
+constexpr std::uint64_t kFramesKept = 1;
 
 }  // namespace
 
@@ -18,6 +18,12 @@ kit::TextureId PictureTextures::of(const Picture& picture) {
     kept.texture.show(*picture.pixels, picture.is_smooth);
   }
   return kept.texture.texture();
+}
+
+std::size_t PictureTextures::bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& [pixels, kept] : kept_) bytes += 2 * pixels->size() * sizeof(Rgba);
+  return bytes;
 }
 
 void PictureTextures::end_frame() {

@@ -5,13 +5,13 @@
 #include <map>
 #include <memory>
 
-#include "widgets/gl/view_texture.h"
+#include "widgets/gl/picture_texture.h"
 #include "widgets/panels/picture.h"
 
 namespace nadir {
 
-/// Textures of the pictures that panels show, uploaded when they are asked for first and let go when nobody has asked for a
-/// while. The context that the window draws with must be current whenever this is used.
+/// Textures of the pictures that panels show, uploaded when they are asked for first and let go at the end of a frame in which
+/// nobody has asked for them. The context that the window draws with must be current whenever this is used.
 class PictureTextures {
  public:
   /// @returns 0 for no picture.
@@ -19,6 +19,8 @@ class PictureTextures {
   /// Once a frame, after everything has been asked for.
   void end_frame();
   [[nodiscard]] std::size_t count() const { return kept_.size(); }
+  /// Of the pictures that are kept, in main memory and as textures.
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
   struct Kept {

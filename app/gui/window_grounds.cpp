@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/gui/gui_window.h"
+#include "core/session/step_pose.h"
 #include "widgets/gl/offscreen_renderer.h"
 
 namespace nadir {
@@ -34,41 +35,80 @@ int pixels(double length_px) {
 void GuiWindow::follow_map() {
   const OpenMap* const map = session_.map();
   const std::filesystem::path path = map != nullptr ? map->path : std::filesystem::path();
-  if (path != map_path_) {
+  const auto index_now = map != nullptr ? map->index : nullptr;
+  // A map that could not be drawn may have been mended when it is read anew; till then it is not tried again.
+  const bool is_read_anew = index_now != map_index_ && !can_map_be_drawn_;
+  map_index_ = index_now;
+  if (path != map_path_ || is_read_anew) {
     map_path_ = path;
-    grounds_.clear();
+    can_map_be_drawn_ = true;
+    complaints_.clear();
+    grounds_ = {};
     scene_.reset();
   }
-  const int runs = static_cast<int>(session_.runs().size());
-  std::erase_if(grounds_, [runs](const auto& entry) { return entry.first > runs; });
   const OpenRun* const active = session_.active_run();
   const auto index = session_.step_index();
   if (session_.view().map.layer(Layer::kReconstruction).is_visible && active != nullptr &&
       active->document && index) {
     reconstruction_.ask({active->document, *index, session_.view().map.topview_at});
   }
+  // The surface is computed for the tab that explains, and for its layer.
+  if (session_.view().map.layer(Layer::kErrorSurface).is_visible) {
+    (void)why_model(session_, inquiry_);
+  }
   if (const std::string fault = reconstruction_.take_error(); !fault.empty()) {
     session_.notify(Notice::Kind::kError, fault);
   }
 }
 
+std::shared_ptr<const MomentSurface> GuiWindow::surface_now() const {
+  const auto answer = inquiry_.answer();
+  if (!answer || !answer->surface || answer->step != session_.step()) return nullptr;
+  return {answer, &*answer->surface};
+}
+
 void GuiWindow::complain_once(const Error& error) {
-  if (error.message == last_complaint_) return;
-  last_complaint_ = error.message;
-  session_.notify(Notice::Kind::kError, error.message);
+  if (complaints_.insert(error.message).second) {
+    session_.notify(Notice::Kind::kError, error.message);
+  }
+}
+
+GroundPicture& GuiWindow::ground_of(const MapGround& wanted) {
+  PaneGround& pane = grounds_.at(wanted.is_second ? 1 : 0);
+  const bool has_map = !map_path_.empty() && can_map_be_drawn_;
+  // Without a map the ground has its origin near the run.
+  if (!has_map && pane.run != wanted.run) pane.picture.reset();
+  pane.run = wanted.run;
+  pane.is_drawn = true;
+  if (pane.picture == nullptr && has_map) {
+    auto opened = GroundPicture::open(map_path_, tiles_);
+    if (opened) {
+      pane.picture = std::move(*opened);
+    } else {
+      can_map_be_drawn_ = false;
+      complain_once(opened.error());
+    }
+  }
+  if (pane.picture == nullptr) {
+    pane.picture = GroundPicture::without_map(wanted.camera.centre_in_enu_m);
+  }
+  return *pane.picture;
+}
+
+void GuiWindow::forget_unseen() {
+  for (PaneGround& pane : grounds_) {
+    if (!pane.is_drawn) pane = {};
+    pane.is_drawn = false;
+  }
+  textures_.end_frame();
+}
+
+std::size_t GuiWindow::drawn_bytes() const {
+  return tiles_->used_bytes() + textures_.bytes() + (scene_ ? scene_->tile_bytes() : 0);
 }
 
 kit::TextureId GuiWindow::draw_ground(const MapGround& wanted, const kit::Ui& ui) {
-  if (map_path_.empty()) return 0;
-  auto& ground = grounds_[wanted.run];
-  if (ground == nullptr) {
-    auto opened = GroundPicture::open(map_path_);
-    if (!opened) {
-      complain_once(opened.error());
-      return 0;
-    }
-    ground = std::move(*opened);
-  }
+  GroundPicture& ground = ground_of(wanted);
   GroundContents contents;
   contents.look = session_.resolved_map_look();
   contents.step = step_of(session_, wanted.run);
@@ -78,27 +118,27 @@ kit::TextureId GuiWindow::draw_ground(const MapGround& wanted, const kit::Ui& ui
   }
   if (wanted.run == session_.view().active_run) {
     contents.reconstruction = reconstruction_.answer();
-    const auto answer = inquiry_.answer();
-    if (answer && answer->surface && answer->step == session_.step()) {
-      contents.surface = std::shared_ptr<const MomentSurface>(answer, &*answer->surface);
-    }
+    contents.surface = surface_now();
+    contents.shows_best_turn = why_.shows_best_turn;
   }
-  ground->show(contents);
+  ground.show(contents);
   constexpr double kPointPx = 96.0 / 72.0;
-  if (const auto drawn = ground->draw(wanted.camera, pixels(wanted.width_px),
-                                      pixels(wanted.height_px), ui.px(kPointPx));
+  const GroundPart part{wanted.layers, wanted.part, wanted.part_count, wanted.is_lowest};
+  if (const auto drawn = ground.draw(wanted.camera, pixels(wanted.width_px),
+                                     pixels(wanted.height_px), ui.px(kPointPx), part);
       !drawn) {
     complain_once(drawn.error());
   }
-  wants_more_ |= ground->wants_more();
-  return ground->texture();
+  wants_more_ |= ground.wants_more();
+  return ground.texture(wanted.part);
 }
 
 kit::TextureId GuiWindow::draw_scene(const SceneWish& wanted, const kit::Ui& ui) {
-  if (map_path_.empty()) return 0;
+  if (map_path_.empty() || !can_map_be_drawn_) return 0;
   if (scene_ == nullptr) {
     auto opened = FlightScene::open(map_path_);
     if (!opened) {
+      can_map_be_drawn_ = false;
       complain_once(opened.error());
       return 0;
     }
@@ -106,12 +146,19 @@ kit::TextureId GuiWindow::draw_scene(const SceneWish& wanted, const kit::Ui& ui)
   }
   const OpenRun* const run = session_.active_run();
   const auto index = session_.step_index();
-  const auto camera = run != nullptr && run->cache && index ? run->cache->camera(*index) : nullptr;
-  const auto flight = session_.flight();
-  if (const auto shown =
-          scene_->show(session_.step(), camera, flight.get(), session_.view().map.topview_at);
-      !shown) {
-    complain_once(shown.error());
+  const bool has_frame = run != nullptr && run->cache && index && run->cache->frame_of(*index);
+  const auto camera = has_frame ? run->cache->camera(*index) : nullptr;
+  // While a frame is decoded the last one stays where it was seen, so that nothing jumps.
+  const bool is_on_its_way = has_frame && !camera && !run->cache->is_cursor_ready();
+  if (!is_on_its_way) {
+    const bool has_step = run != nullptr && run->document && index;
+    const auto pose = has_step
+                          ? pose_of(run->document->steps[*index], session_.view().map.topview_at)
+                          : std::nullopt;
+    const auto flight = session_.flight();
+    if (const auto shown = scene_->show(pose, camera, flight.get()); !shown) {
+      complain_once(shown.error());
+    }
   }
   constexpr double kPointPx = 96.0 / 72.0;
   const auto drawn = scene_->draw(wanted.camera, ui.theme_name(), pixels(wanted.width_px),

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program's window as a whole, in a process of its own: what a user does, written as scripts.
+#include "tests/app/gui/gui_program.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,71 +10,13 @@
 #include <opencv2/imgcodecs.hpp>
 #include <thread>
 
-#include "app/gui/child_process.h"
 #include "core/run/run_file.h"
-#include "tests/app/drawn_run.h"
 #include "tests/support/error_text.h"
 
 namespace nadir {
-namespace {
+namespace gui_program_test {
 
 using ::testing::HasSubstr;
-
-struct Ending {
-  int status = -1;
-  std::string words;
-};
-
-class GuiProgram : public DrawnRun {
- protected:
-  /// A flight over the bundled town and its run, made once for all tests.
-  static void SetUpTestSuite() {
-    made_ = new ScratchFolder;
-    const std::string folder = (made_->path() / "demo").string();
-    std::filesystem::create_directory(folder);
-    ASSERT_EQ(
-        run({"simulate", NADIR_PROVING_GROUND, "--out", folder + "/flight", "--quiet"}).status, 0);
-    ASSERT_EQ(run({"localise", folder + "/flight", "--map", NADIR_PROVING_GROUND, "--out",
-                   folder + "/run.nadir", "--quiet"})
-                  .status,
-              0);
-  }
-  static void TearDownTestSuite() {
-    delete made_;
-    made_ = nullptr;
-  }
-  /// Copied, for a rerun is written beside it.
-  GuiProgram() {
-    std::filesystem::copy(made_->path() / "demo", path("demo"),
-                          std::filesystem::copy_options::recursive);
-  }
-
-  static Ending run(const std::vector<std::string>& arguments) {
-    auto process = ChildProcess::start(NADIR_PROGRAM, arguments);
-    if (!process) return {-1, process.error().message};
-    Ending ending;
-    for (auto status = process->poll();; status = process->poll()) {
-      if (status) {
-        ending.status = *status;
-        break;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    for (const std::string& line : process->lines()) ending.words += line + "\n";
-    return ending;
-  }
-  Ending gui(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"gui", "--config", path("config")});
-    return run(arguments);
-  }
-  Ending script(const std::string& text, std::vector<std::string> arguments = {}) {
-    arguments.insert(arguments.end(), {"--script", scratch_.file("script.txt", text).string()});
-    return gui(std::move(arguments));
-  }
-
- private:
-  static inline ScratchFolder* made_ = nullptr;
-};
 
 TEST_F(GuiProgram, ShowsItsWelcomeWithoutADisplay) {
   const Ending ended = gui({"--fresh", "--size", "960x600", "--screenshot", path("welcome.png")});
@@ -177,6 +121,19 @@ TEST_F(GuiProgram, LosesNothingWhenItIsKilledWhileItLocalises) {
   EXPECT_EQ(next.status, 0) << next.words;
 }
 
+TEST_F(GuiProgram, LeavesTheUsersFolderAloneWhereNobodySeesIt) {
+  const std::filesystem::path config = path("home");
+  auto process = ChildProcess::start(
+      NADIR_PROGRAM, {"gui", path("demo/run.nadir"), "--screenshot", path("unseen.png")},
+      {{"XDG_CONFIG_HOME", config.string()}});
+  ASSERT_TRUE(process) << error_text(process);
+  std::optional<int> status;
+  while (!(status = process->poll())) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(std::filesystem::exists(path("unseen.png")));
+  EXPECT_FALSE(std::filesystem::exists(config)) << "no session, no recents, no preferences";
+}
+
 TEST_F(GuiProgram, TellsFaultsOfScriptsAndArgumentsInOneSentence) {
   Ending ended = script("play sideways\n");
   EXPECT_EQ(ended.status, 1);
@@ -194,5 +151,5 @@ TEST_F(GuiProgram, ShowsWhatCannotBeOpenedAsANotice) {
   EXPECT_EQ(ended.status, 0) << ended.words;
 }
 
-}  // namespace
+}  // namespace gui_program_test
 }  // namespace nadir

@@ -6,7 +6,7 @@
 #include "widgets/gl/offscreen_context.h"
 
 namespace nadir {
-namespace {
+namespace picture_textures_test {
 
 Picture picture_of(int width, int height) {
   return {std::make_shared<Raster<Rgba>>(width, height, Rgba{10, 20, 30})};
@@ -33,6 +33,17 @@ TEST_F(PictureTexturesTest, UploadEachPictureOnce) {
   EXPECT_EQ(textures_.count(), 2U);
 }
 
+TEST_F(PictureTexturesTest, OfPicturesThatFollowEachOtherKeepTheNewest) {
+  constexpr std::size_t kBytes = 2 * 1241 * 376 * sizeof(Rgba);  // in main memory and as a texture
+  for (int frame = 0; frame < 40; ++frame) {
+    EXPECT_NE(textures_.of(picture_of(1241, 376)), 0U);
+    textures_.end_frame();
+    EXPECT_LE(textures_.bytes(), 2 * kBytes);
+  }
+  textures_.end_frame();
+  EXPECT_EQ(textures_.bytes(), 0U);
+}
+
 TEST_F(PictureTexturesTest, LetGoOfWhatNobodyAsksForInAWhile) {
   const Picture kept = picture_of(2, 2);
   {
@@ -52,5 +63,5 @@ TEST_F(PictureTexturesTest, HaveNoneForNoPicture) {
   EXPECT_EQ(textures_.count(), 0U);
 }
 
-}  // namespace
+}  // namespace picture_textures_test
 }  // namespace nadir
