@@ -79,7 +79,9 @@ std::vector<Kind> all_kinds() {
 
 /// Presses, drags and turns the wheel over a place, without asking whether it may.
 template <class Draw>
-bool poke(HeadlessUi& screen, const Rect& rect, const Draw& draw) {
+bool poke(HeadlessUi& screen,
+          Rect rect,
+          const Draw& draw) {  // its own: controls go with their frame
   bool did_anything = false;
   const auto frame = [&] { did_anything = screen.frame(draw) || did_anything; };
   screen.input().mouse_px = rect.centre();
