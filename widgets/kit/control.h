@@ -72,6 +72,7 @@ struct Control {
   bool is_visible = true;    ///< At least in part: not scrolled out of sight.
   bool is_selected = false;  ///< Rows, tabs, choices, toggled buttons.
   bool is_hovered = false;
+  bool is_focused = false;  ///< The keyboard is with it: a frame is drawn around it.
   std::string
       tooltip;  ///< All that its tooltip says, in one line; why it is disabled, where it is.
 };

@@ -91,6 +91,7 @@ bool Ui::is_pressed(const Chord& chord, bool with_repeats) const {
   if (frame_->state.focused_number != 0 &&
       (is_arrow(chord.key) || chord.key == Key::kEnter || chord.key == Key::kEscape))
     return false;
+  if (frame_->takes_key(chord)) return false;
   if (chord.character != 0 && !chord.modifiers.ctrl && !chord.modifiers.alt) {
     // Whatever was held down for it: on many keyboards "[" is typed with the right Alt.
     return input.characters.find(chord.character) != std::string::npos;

@@ -227,7 +227,8 @@ class Ui {
   Scope context_menu(const std::string& name);
   /// A menu that a button opens. Pushes `name` as scope.
   Scope button_menu(const std::string& name, Icon icon, const Hint& hint);
-  /// Above each other in the lower right corner of `inside`; the newest is the last. They stay until dismissed. Paths:
+  /// Above each other in the lower right corner of `inside`; the newest is the last. They stay until dismissed, and cover nothing of
+  /// an overlay that was drawn before: they are narrower beside it, or lie below it. Paths:
   /// "Notices/ID", "Notices/ID/Dismiss", "/Details", "/Copy" and "/" with the title of the action.
   std::optional<NoticeWish> notices(std::span<const Notice> notices, const Rect& inside);
 
@@ -246,7 +247,11 @@ class Ui {
 
   // ---- Keys ----
   /// The chord went down in this frame (or repeats). False while it belongs to something else: letters while a text is
-  /// typed, arrows while a number has them, Escape while a menu is open.
+  /// typed, arrows while a number has them, Escape while a menu is open, Space and Enter while a control has the keyboard.
+  ///
+  /// Shift+Tab (in boxes and menus also Tab) gives the keyboard to a control, which then has a frame; Tab and Shift+Tab go on,
+  /// Ctrl+Tab to the next region, arrows among choices, tabs, rows and menus. Space and Enter press it, arrows change it,
+  /// Delete resets it, Shift+F10 opens its menu. Escape, or the mouse, gives the keyboard back to the window.
   [[nodiscard]] bool is_pressed(const Chord& chord, bool with_repeats = false) const;
   /// The same of its text, "Ctrl+P"; false for what is no chord.
   [[nodiscard]] bool is_pressed(std::string_view chord, bool with_repeats = false) const;

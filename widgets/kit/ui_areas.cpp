@@ -59,8 +59,10 @@ AreaInput Ui::area(const std::string& name, const Eigen::Vector2d& size, Wheel w
   const ImVec2 taken(narrow(size.x() > 0.0 ? size.x() : std::max(1.0, left.width)),
                      narrow(size.y() > 0.0 ? size.y() : std::max(1.0, left.height)));
   const Placed placed = frame.place(name, taken, 0.0F);
-  frame.press(placed, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                          ImGuiButtonFlags_MouseButtonMiddle | ImGuiButtonFlags_AllowItemOverlap);
+  frame.press(placed,
+              ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                  ImGuiButtonFlags_MouseButtonMiddle | ImGuiButtonFlags_AllowItemOverlap,
+              {.is_stop = false});
   ImGui::SetItemAllowOverlap();
   const ImGuiIO& io = ImGui::GetIO();
   AreaInput input;

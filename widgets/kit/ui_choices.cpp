@@ -13,6 +13,11 @@ std::string item_at(std::span<const std::string> items, std::size_t index) {
 
 constexpr double kTabHeight = 32.0;
 
+/// Of things of which one is chosen.
+Stop one_of(ImGuiID group, bool is_chosen, Arrows arrows) {
+  return {.arrows = arrows, .group = group, .is_selected = is_chosen, .is_chosen_by_arrows = true};
+}
+
 /// Where tabs lie, from the upper left corner of all: nearer to each other where they would not fit, and then in rows.
 std::vector<ImRect> tab_parts(const Ui::Frame& frame, std::span<const std::string> titles) {
   std::vector<float> widths;
@@ -67,7 +72,8 @@ std::optional<std::size_t> Ui::choice(const std::string& label,
     const ImRect part({left, placed.field.Min.y}, {right, placed.field.Max.y});
     const ImGuiID id = ImGui::GetCurrentWindow()->GetID(items[i].c_str());
     frame.add_part(part, id);
-    const Pressed pressed = frame.press(part, id);
+    const Pressed pressed =
+        frame.press(part, id, 0, one_of(placed.id, i == chosen, Arrows::kSideways));
     const bool is_chosen = i == chosen;
     if (is_chosen) {
       frame.fill(part, frame.shade(colours.accent_soft));
@@ -110,13 +116,14 @@ std::optional<std::size_t> Ui::radio(const std::string& label,
   const Look& colours = frame.state.look;
   if (!Frame::shown(label).empty()) text(Frame::shown(label));
   const Scope inside = frame.push_scope(label, true);
+  const ImGuiID group = ImGui::GetCurrentWindow()->GetID("##radio");
   std::optional<std::size_t> clicked;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string words = Frame::shown(items[i]);
     const float width =
         frame.d(24) + std::ceil(frame.text_size(words, frame.state.fonts->text).x) + 1.0F;
     const Placed placed = frame.place(items[i], {width, frame.d(28)}, 0.0F);
-    const Pressed pressed = frame.press(placed);
+    const Pressed pressed = frame.press(placed, 0, one_of(group, i == chosen, Arrows::kAll));
     const bool is_chosen = i == chosen;
     const ImVec2 middle(placed.box.Min.x + frame.d(8), std::floor(placed.box.GetCenter().y));
     ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -147,7 +154,8 @@ std::optional<std::size_t> Ui::combo(const std::string& label,
   Frame& frame = *frame_;
   const Look& colours = frame.state.look;
   const Placed placed = frame.place_labelled(label, frame.d(28));
-  const Pressed pressed = frame.press(placed);
+  const Pressed pressed = frame.press(placed, 0, {.opens_down = true});
+  const bool was_opened = pressed.was_clicked || frame.arrow_steps(placed.id, Arrows::kUpDown) != 0;
   const ImGuiID popup = ImHashStr("##list", 0, placed.id);
   const bool is_open = ImGui::IsPopupOpen(popup, ImGuiPopupFlags_None);
   frame.draw_label(placed, label);
@@ -164,7 +172,7 @@ std::optional<std::size_t> Ui::combo(const std::string& label,
   control.value = item_at(items, chosen);
   control.label_rect = rect_of(placed.label);
   frame.explain(hint);
-  if (pressed.was_clicked && !is_open) ImGui::OpenPopupEx(popup, ImGuiPopupFlags_None);
+  if (was_opened && !is_open) ImGui::OpenPopupEx(popup, ImGuiPopupFlags_None);
   if (!is_open) return std::nullopt;
   std::optional<std::size_t> picked;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(frame.d(4), frame.d(4)));
@@ -206,7 +214,8 @@ std::optional<std::size_t> Ui::tabs(const std::string& name,
     part.Translate(placed.box.Min);
     const ImGuiID id = ImGui::GetCurrentWindow()->GetID(titles[i].c_str());
     frame.add_part(part, id);
-    const Pressed pressed = frame.press(part, id);
+    const Pressed pressed =
+        frame.press(part, id, 0, one_of(placed.id, i == chosen, Arrows::kSideways));
     const bool is_chosen = i == chosen;
     if (is_chosen)
       frame.fill({{part.Min.x, part.Max.y - frame.d(2)}, part.Max}, frame.shade(colours.accent),

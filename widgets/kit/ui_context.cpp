@@ -150,6 +150,7 @@ Ui& UiContext::begin_frame(const FrameInput& input) {
   state.pictures.begin_frame();
   ImGui::NewFrame();
   state.ui = std::make_unique<Ui>(*this);
+  state.ui->frame().begin_focus();
   return *state.ui;
 }
 
@@ -159,6 +160,7 @@ void UiContext::end_frame() {
   ImGui::SetCurrentContext(state.imgui);
   Ui::Frame& frame = state.ui->frame();
   frame.show_tooltip();
+  frame.end_focus();
   if (state.imgui->OpenPopupStack.Size > 0 && state.imgui->ActiveId == 0 &&
       ImGui::IsKeyPressed(static_cast<int>(Key::kEscape), false)) {
     ImGui::ClosePopupToLevel(state.imgui->OpenPopupStack.Size - 1, true);

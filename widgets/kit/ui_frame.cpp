@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/require.h"
+#include "widgets/canvas/printable.h"
 #include "widgets/kit/ui_canvas.h"
 
 namespace nadir::kit {
@@ -69,7 +70,7 @@ std::string Ui::Frame::shown(const std::string& label) { return label.substr(0, 
 float Ui::Frame::room_width() const { return std::max(1.0F, ImGui::GetContentRegionAvail().x); }
 
 ImVec2 Ui::Frame::text_size(const std::string& line, ImFont* the_font) const {
-  return the_font->CalcTextSizeA(the_font->FontSize, FLT_MAX, 0.0F, line.c_str());
+  return the_font->CalcTextSizeA(the_font->FontSize, FLT_MAX, 0.0F, printable(line).c_str());
 }
 
 void Ui::Frame::shift_line_texts(float height) {
@@ -143,11 +144,11 @@ Placed Ui::Frame::place_labelled(const std::string& label, float height) {
 
 bool Ui::Frame::add_part(const ImRect& box, ImGuiID id) { return ImGui::ItemAdd(box, id); }
 
-Pressed Ui::Frame::press(const Placed& placed, ImGuiButtonFlags flags) {
-  return press(placed.field, placed.id, flags);
+Pressed Ui::Frame::press(const Placed& placed, ImGuiButtonFlags flags, const Stop& stop) {
+  return press(placed.field, placed.id, flags, stop);
 }
 
-Pressed Ui::Frame::press(const ImRect& box, ImGuiID id, ImGuiButtonFlags flags) {
+Pressed Ui::Frame::press(const ImRect& box, ImGuiID id, ImGuiButtonFlags flags, const Stop& stop) {
   last_id = id;
   last_box = box;
   is_last_hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled |
@@ -156,7 +157,10 @@ Pressed Ui::Frame::press(const ImRect& box, ImGuiID id, ImGuiButtonFlags flags) 
   bool is_hovered = false;
   bool is_held = false;
   const bool was_clicked = ImGui::ButtonBehavior(box, id, &is_hovered, &is_held, flags);
-  return {was_clicked, is_hovered, is_held};
+  if (!stop.is_stop) return {was_clicked, is_hovered, is_held};
+  add_stop(box, id, stop);
+  if (is_held) state.focus.id = id;
+  return {was_clicked || (stop.takes_press && is_pressed_by_key(id)), is_hovered, is_held};
 }
 
 void Ui::Frame::draw_label(const Placed& placed, const std::string& label, bool is_marked) {
@@ -183,6 +187,7 @@ Control& Ui::Frame::note(ControlKind kind, const std::string& label, const ImRec
   seen.ClipWith(window->ClipRect);
   control.is_visible = !window->SkipItems && seen.GetWidth() > 0.0F && seen.GetHeight() > 0.0F;
   control.is_hovered = is_last_hovered;
+  control.is_focused = std::exchange(is_noting_focused, false);
   if (is_disabled()) control.tooltip = disabled_reasons.back();
   if (!state.scroll_to.empty() && state.scroll_to == control.path) {
     ImGui::ScrollToRect(ImGui::GetCurrentWindow(), box, ImGuiScrollFlags_KeepVisibleCenterY);
@@ -198,14 +203,17 @@ void Ui::Frame::write(const ImVec2& at,
                       const std::string& line,
                       ImFont* the_font,
                       ImU32 the_colour) const {
-  ImGui::GetWindowDrawList()->AddText(the_font, the_font->FontSize, at, the_colour, line.c_str());
+  ImGui::GetWindowDrawList()->AddText(the_font, the_font->FontSize, at, the_colour,
+                                      printable(line).c_str());
 }
 
 bool Ui::Frame::write_in(const ImRect& box,
-                         const std::string& line,
+                         const std::string& words,
                          ImFont* the_font,
                          ImU32 the_colour,
                          Align align) const {
+  // Of bytes that are no character Dear ImGui takes the letters behind them for a part.
+  const std::string line = printable(words);
   const ImVec2 size = text_size(line, the_font);
   const float top = std::floor((box.Min.y + box.Max.y - size.y) / 2.0F + 0.5F);
   if (size.x > box.GetWidth() + 0.5F) {

@@ -14,6 +14,7 @@
 
 #include "widgets/kit/ui.h"
 #include "widgets/kit/ui_context.h"
+#include "widgets/kit/ui_focus.h"
 #include "widgets/kit/ui_fonts.h"
 #include "widgets/kit/ui_look.h"
 #include "widgets/kit/ui_pictures.h"
@@ -40,8 +41,10 @@ struct Draft {
   double number = 0.0, start_number = 0.0;
   std::string text, start_text;
   Rgba colour, start_colour;
-  bool is_typing = false;  ///< A number's field takes text.
-  bool is_text = false;    ///< What is typed is text, not a number.
+  bool is_typing = false;      ///< A number's field takes text.
+  bool is_text = false;        ///< What is typed is text, not a number.
+  bool takes_tab = false;      ///< Tab completes what is typed and goes nowhere.
+  bool begins_at_end = false;  ///< The first sign was typed before the field was.
   bool had_keyboard = false;
   bool was_dragged = false;
   int last_frame = 0;  ///< That drew it: one that is not drawn any more is forgotten.
@@ -63,6 +66,7 @@ struct TooltipWish {
   std::string because;             ///< Why the control is disabled.
   std::vector<std::string> lines;  ///< Of mouse_tooltip(), shown at once.
   std::optional<ImVec2> place;     ///< None: beside the mouse.
+  bool is_above = false;           ///< Ends at the place.
 };
 
 struct UiContext::State {
@@ -89,6 +93,7 @@ struct UiContext::State {
   ImGuiID hovered_area = 0;
   ImGuiID open_bar = 0;        ///< Window whose menus follow the mouse.
   ImGuiID focused_number = 0;  ///< Arrow keys step it.
+  Focus focus;
   std::map<ImGuiID, int>
       last_drawn;  ///< Frame in which a text input that takes the focus was drawn.
   std::string clipboard;
@@ -122,6 +127,20 @@ struct Ui::Frame {
   float next_width = 0.0F;
   bool is_same_line = false;  ///< What is placed next follows on the current line.
   float line_height = 0.0F;   ///< Of what lies on the current line.
+
+  // Walking with the keyboard (ui_focus.cpp).
+  Stops drawn_stops;             ///< So far in this frame.
+  int boxes = 0, box_depth = 0;  ///< Drawn so far; the one that is being drawn, 0: none.
+  std::vector<ImRect> box_places;
+  ImGuiWindow* lowest_box = nullptr;  ///< What darkens the window below the first box.
+  int top_layer = 0;
+  ImGuiID focus_before = 0;        ///< Where the keyboard was when the frame began.
+  bool is_noting_focused = false;  ///< Of what note() writes down next.
+  struct Ring {
+    ImGuiWindow* window = nullptr;
+    ImRect box;
+  };
+  std::optional<Ring> ring;
 
   ImGuiID last_id = 0;
   bool is_last_hovered = false;
@@ -175,8 +194,27 @@ struct Ui::Frame {
   Placed place_labelled(const std::string& label, float height);
   /// Makes another box of this control its field: the part that takes the mouse.
   bool add_part(const ImRect& box, ImGuiID id);
-  Pressed press(const Placed& placed, ImGuiButtonFlags flags = 0);
-  Pressed press(const ImRect& box, ImGuiID id, ImGuiButtonFlags flags = 0);
+  Pressed press(const Placed& placed, ImGuiButtonFlags flags = 0, const Stop& stop = {});
+  Pressed press(const ImRect& box, ImGuiID id, ImGuiButtonFlags flags = 0, const Stop& stop = {});
+
+  /// Moves the keyboard's focus as the keys say, before anything is drawn.
+  void begin_focus();
+  void move_focus();
+  void walk_by_tab(const Stops& stops, const Modifiers& held);
+  [[nodiscard]] bool walk_through_menus();
+  void arrive_at(const PlacedStop& stop);
+  /// What cannot be pressed just now but can have the keyboard: an input that is typed into.
+  void add_stop(const ImRect& box, ImGuiID id, const Stop& stop);
+  /// It has its frame and its keys.
+  [[nodiscard]] bool has_focus(ImGuiID id) const;
+  [[nodiscard]] bool has_arrived(ImGuiID id) const;
+  [[nodiscard]] bool is_pressed_by_key(ImGuiID id) const;
+  /// Of arrows that a control takes itself: right and up count 1, left and down -1.
+  [[nodiscard]] int arrow_steps(ImGuiID id, Arrows arrows) const;
+  /// The chord is none of the window's in this frame.
+  [[nodiscard]] bool takes_key(const Chord& chord) const;
+  /// Draws the frame around what has the keyboard and keeps what was drawn for the next frame.
+  void end_focus();
   void draw_label(const Placed& placed, const std::string& label, bool is_marked = false);
 
   /// Writes a control down; the returned one may be completed until the next.
@@ -216,6 +254,11 @@ struct Ui::Frame {
   Edit<double> finish_number(ImGuiID id, double value, Edit<double> edit, bool is_done);
   [[nodiscard]] bool reset_clicked(const Placed& placed) const;
   [[nodiscard]] bool is_label_hovered(const Placed& placed) const;
+  [[nodiscard]] std::optional<double> number_by_keys(ImGuiID id,
+                                                     double value,
+                                                     const NumberOptions& options) const;
+  /// Of what type_draft() has just drawn.
+  void put_caret_at_end(ImGuiID id) const;
   Edit<double> drag_track(const ImRect& box,
                           ImGuiID id,
                           double value,

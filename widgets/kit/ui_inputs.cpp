@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/utf8.h"
 #include "widgets/kit/ui_canvas.h"
 #include "widgets/kit/ui_frame.h"
 
@@ -21,7 +22,8 @@ bool Ui::Frame::type_draft(
   if (imgui.CurrentWindow->SkipItems) return true;
   if (!current.had_keyboard) imgui.NavActivateId = imgui.NavActivateInputId = id;
   std::array<char, 4096> buffer = {};
-  current.text.copy(buffer.data(), buffer.size() - 1);
+  // Dear ImGui edits characters, and would replace bytes that are none: those of a file's name, say.
+  utf8_of_bytes(current.text).copy(buffer.data(), buffer.size() - 1);
   ImGui::PushFont(the_font);
   ImGui::PushStyleVar(
       ImGuiStyleVar_FramePadding,
@@ -33,9 +35,15 @@ bool Ui::Frame::type_draft(
   ImGui::PopStyleVar();
   ImGui::PopFont();
   const bool has_keyboard = imgui.ActiveId == id;
-  current.text = buffer.data();
+  current.text = bytes_of_utf8(buffer.data());
   if (has_keyboard) current.had_keyboard = true;
   return has_keyboard || !current.had_keyboard;
+}
+
+void Ui::Frame::put_caret_at_end(ImGuiID id) const {
+  ImGuiInputTextState& typing = ImGui::GetCurrentContext()->InputTextState;
+  if (typing.ID != id) return;
+  typing.Stb.cursor = typing.Stb.select_start = typing.Stb.select_end = typing.CurLenW;
 }
 
 TextEdit Ui::Frame::edit_text(const ImRect& box,
@@ -55,7 +63,10 @@ TextEdit Ui::Frame::edit_text(const ImRect& box,
     if (draft(id) != nullptr) end_draft();
     takes_focus = true;
   }
+  if (takes_focus) state.focus.id = id;
   const bool is_typing = draft(id) != nullptr;
+  if (is_typing) add_stop(box, id, {});
+  takes_focus = takes_focus || (!is_typing && has_arrived(id) && !is_disabled());
   const Pressed pressed = is_typing ? Pressed{} : press(box, id, ImGuiButtonFlags_PressedOnClick);
   TextEdit edit;
   edit.value = text;
@@ -69,6 +80,7 @@ TextEdit Ui::Frame::edit_text(const ImRect& box,
     Draft& begun = begin_draft(id);
     begun.text = begun.start_text = text;
     begun.is_typing = begun.is_text = true;
+    begun.takes_tab = options.takes_tab;
   }
   const bool is_hovered_now =
       ImGui::IsMouseHoveringRect(box.Min, box.Max) && ImGui::IsWindowHovered();
@@ -79,10 +91,7 @@ TextEdit Ui::Frame::edit_text(const ImRect& box,
     const std::string before = current->text;
     const bool has_keyboard = type_draft(box, id, label, state.fonts->text,
                                          takes_focus ? ImGuiInputTextFlags_AutoSelectAll : 0);
-    ImGuiInputTextState& typing = ImGui::GetCurrentContext()->InputTextState;
-    if (is_replaced && typing.ID == id) {
-      typing.Stb.cursor = typing.Stb.select_start = typing.Stb.select_end = typing.CurLenW;
-    }
+    if (is_replaced) put_caret_at_end(id);
     edit.value = current->text;
     edit.is_changed = current->text != before;
     edit.is_editing = has_keyboard;
@@ -121,10 +130,17 @@ TextEdit Ui::Frame::edit_lines(const ImRect& box,
   TextEdit edit;
   edit.value = current == nullptr ? text : current->text;
   const std::string before = edit.value;
+  std::string shown = utf8_of_bytes(before);
   ImGui::PushFont(state.fonts->text);
   ImGui::PushStyleColor(ImGuiCol_FrameBg, 0U);
   ImGui::SetCursorScreenPos(box.Min);
-  ImGui::InputTextMultiline(label.c_str(), &edit.value, box.GetSize());
+  add_stop(box, id, {});
+  if (current == nullptr && !is_disabled() && (has_arrived(id) || is_pressed_by_key(id))) {
+    ImGuiContext& imgui = *ImGui::GetCurrentContext();
+    imgui.NavActivateId = imgui.NavActivateInputId = id;
+  }
+  ImGui::InputTextMultiline(label.c_str(), &shown, box.GetSize());
+  edit.value = bytes_of_utf8(shown);
   ImGui::PopStyleColor();
   ImGui::PopFont();
   is_last_hovered = ImGui::IsItemHovered();

@@ -53,7 +53,14 @@ Scope Ui::menu(const std::string& label) {
        frame.d(28)},
       0.0F);
   if (is_bar) frame.has_bar_menu = true;
-  const Pressed pressed = frame.press(placed);
+  const Stop stop{.arrows = is_bar ? Arrows::kSideways : Arrows::kUpDown,
+                  .group = ImGui::GetCurrentWindow()->GetID(is_bar ? "##bar" : "##items"),
+                  .opens_down = is_bar,
+                  .opens_menu = !is_bar};
+  const Pressed pressed = frame.press(placed, 0, stop);
+  const bool was_opened = pressed.was_clicked || frame.state.focus.wanted_menu == placed.id ||
+                          (is_bar ? frame.arrow_steps(placed.id, Arrows::kUpDown) != 0
+                                  : frame.arrow_steps(placed.id, Arrows::kSideways) > 0);
   const ImGuiID popup = ImHashStr("##menu", 0, placed.id);
   const ImGuiContext& imgui = *ImGui::GetCurrentContext();
   bool is_open = ImGui::IsPopupOpen(popup, ImGuiPopupFlags_None);
@@ -61,7 +68,7 @@ Scope Ui::menu(const std::string& label) {
                              imgui.HoveredWindow == imgui.CurrentWindow;
   const bool is_sibling_open = !is_open && imgui.OpenPopupStack.Size > imgui.BeginPopupStack.Size &&
                                frame.state.open_bar == imgui.CurrentWindow->ID;
-  if (!frame.is_disabled() && ((pressed.was_clicked && !is_open) ||
+  if (!frame.is_disabled() && ((was_opened && !is_open) ||
                                (is_mouse_over && !is_open && (is_bar ? is_sibling_open : true)))) {
     ImGui::OpenPopupEx(popup, ImGuiPopupFlags_None);
     frame.state.open_bar = imgui.CurrentWindow->ID;
@@ -109,7 +116,8 @@ bool Ui::menu_item(const std::string& label, const MenuItem& item) {
   placed.box.Max.x = placed.field.Max.x =
       std::max(placed.box.Max.x, at.x + ImGui::GetContentRegionAvail().x);
   frame.add_part(placed.box, placed.id);
-  const Pressed pressed = frame.press(placed);
+  const Stop stop{.arrows = Arrows::kUpDown, .group = ImGui::GetCurrentWindow()->GetID("##items")};
+  const Pressed pressed = frame.press(placed, 0, stop);
   if (pressed.is_hovered || pressed.is_held) frame.fill(placed.box, colours.accent_soft);
   const ImRect mark({placed.box.Min.x + frame.d(4), placed.box.Min.y},
                     {placed.box.Min.x + frame.d(24), placed.box.Max.y});
@@ -150,6 +158,12 @@ Scope Ui::context_menu(const std::string& name) {
   const ImGuiID popup = ImGui::GetCurrentWindow()->GetID(name.c_str());
   if (frame.is_last_hovered && !frame.is_disabled() && frame.right_clicked())
     ImGui::OpenPopupEx(popup, ImGuiPopupFlags_None);
+  const bool is_wanted = frame.state.input.modifiers == Modifiers{.shift = true} &&
+                         ImGui::IsKeyPressed(static_cast<int>(Key::kF10), false);
+  if (is_wanted && frame.has_focus(frame.last_id)) {
+    ImGui::OpenPopupEx(popup, ImGuiPopupFlags_None);
+    ImGui::SetNextWindowPos({frame.last_box.Min.x, frame.last_box.Max.y});
+  }
   return frame.open_popup(popup, name);
 }
 

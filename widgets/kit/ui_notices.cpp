@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "widgets/canvas/printable.h"
 #include "widgets/kit/ui_canvas.h"
 #include "widgets/kit/ui_frame.h"
 
 namespace nadir::kit {
 namespace {
+
+constexpr double kNoticeWidth = 400.0, kLeastNoticeWidth = 220.0;  // of the design
 
 struct NoticeLook {
   Icon icon = Icon::kInfo;
@@ -26,12 +29,32 @@ NoticeLook look_of(Level level, const Look& colours) {
   return {Icon::kInfo, colours.accent};
 }
 
+/// Left end and width of notices: beside the boxes that lie over the window, where there is room for words.
+std::pair<float, float> beside_boxes(const Ui::Frame& frame, const Rect& inside) {
+  const float margin = frame.d(12), right = narrow(inside.right()) - margin;
+  const float usual = std::min(narrow(inside.width) - 2.0F * margin, frame.d(kNoticeWidth));
+  float width = usual;
+  for (const ImRect& box : frame.box_places) width = std::min(width, right - box.Max.x - margin);
+  if (width < frame.d(kLeastNoticeWidth)) width = usual;
+  return {right - width, width};
+}
+
+/// Whether a notice, as high as it was in the last frame, lies over a box.
+bool is_over_a_box(const Ui::Frame& frame, const std::string& window, float left, float bottom) {
+  const ImGuiWindow* const before = ImGui::FindWindowByName(window.c_str());
+  const ImVec2 size =
+      before == nullptr ? ImVec2(frame.d(kNoticeWidth), frame.d(kNoticeWidth)) : before->Size;
+  const ImRect wanted({left, bottom - size.y}, {left + size.x, bottom});
+  return std::any_of(frame.box_places.begin(), frame.box_places.end(),
+                     [&wanted](const ImRect& box) { return box.Overlaps(wanted); });
+}
+
 }  // namespace
 
 std::optional<NoticeWish> Ui::notices(std::span<const Notice> notices, const Rect& inside) {
   Frame& frame = *frame_;
   std::optional<NoticeWish> wish;
-  const float width = std::min(narrow(inside.width) - 2.0F * frame.d(12), frame.d(400));
+  const auto [left, width] = beside_boxes(frame, inside);
   float bottom = narrow(inside.bottom()) - frame.d(12);
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -42,18 +65,22 @@ std::optional<NoticeWish> Ui::notices(std::span<const Notice> notices, const Rec
   for (std::size_t i = notices.size(); i-- > 0;) {
     const Notice& notice = notices[i];
     const NoticeLook look = look_of(notice.level, frame.state.look);
-    ImGui::SetNextWindowPos({narrow(inside.right()) - frame.d(12) - width, bottom},
-                            ImGuiCond_Always, {0.0F, 1.0F});
+    const std::string window_name = "notice/" + notice.id;
+    // Where there is no room beside a box, what it has to say lies below it until it is closed.
+    const bool is_below = is_over_a_box(frame, window_name, left, bottom);
+    ImGui::SetNextWindowPos({left, bottom}, ImGuiCond_Always, {0.0F, 1.0F});
     ImGui::SetNextWindowSizeConstraints(
         {width, 1.0F}, {width, std::max(1.0F, narrow(inside.height) - 2.0F * frame.d(12))});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(frame.d(12), frame.d(8)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, frame.d(4));
     ImGui::PushStyleColor(ImGuiCol_WindowBg, frame.state.look.raised);
-    ImGui::Begin(("notice/" + notice.id).c_str(), nullptr, kFlags);
+    ImGui::Begin(window_name.c_str(), nullptr, kFlags);
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(3);
-    if (ImGui::GetCurrentContext()->OpenPopupStack.Size == 0)
+    if (is_below) {
+      ImGui::BringWindowToDisplayBehind(ImGui::GetCurrentWindow(), frame.lowest_box);
+    } else if (ImGui::GetCurrentContext()->OpenPopupStack.Size == 0)
       ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     const ImGuiWindow* const window = ImGui::GetCurrentWindow();
     const ImRect box = window->Rect();
@@ -87,7 +114,7 @@ std::optional<NoticeWish::Kind> Ui::Frame::draw_notice(Ui& ui,
   is_same_line = false;
   ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, top + d(5)});
   ImGui::PushTextWrapPos(wrap_at);
-  ImGui::TextUnformatted(notice.text.c_str());
+  ImGui::TextUnformatted(printable(notice.text).c_str());
   ImGui::PopTextWrapPos();
   const ImVec2 after(words_left - (notice.details.empty() ? 0.0F : d(12)),
                      std::max(ImGui::GetCursorScreenPos().y, top + d(28)));

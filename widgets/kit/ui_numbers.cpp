@@ -11,23 +11,19 @@ namespace nadir::kit {
 namespace {
 
 constexpr float kDragThreshold = 3.0F;
+constexpr int kManySteps = 10;  ///< Of an arrow with Shift.
 
-/// Where on its track a value lies, 0 to 1.
-double share_of(double value, const NumberOptions& options) {
-  if (options.is_logarithmic) {
-    return std::clamp(std::log(std::max(value, options.least) / options.least) /
-                          std::log(options.most / options.least),
-                      0.0, 1.0);
-  }
-  return std::clamp((value - options.least) / (options.most - options.least), 0.0, 1.0);
+Stop number_stop(const NumberOptions& options) {
+  return {.takes_press = false,
+          .arrows = Arrows::kAll,
+          .takes_delete = options.reset.has_value(),
+          .takes_digits = true};
 }
 
-double value_at(double share, const NumberOptions& options) {
-  const double clamped = std::clamp(share, 0.0, 1.0);
-  const double value = options.is_logarithmic
-                           ? options.least * std::pow(options.most / options.least, clamped)
-                           : options.least + clamped * (options.most - options.least);
-  return kept_digits(value, options);
+/// What is typed over a number that has the keyboard takes its place.
+bool is_begin_of_number(const FrameInput& input) {
+  return !input.characters.empty() && !input.modifiers.ctrl && !input.modifiers.alt &&
+         input.characters.find_first_not_of("0123456789.-") == std::string::npos;
 }
 
 double per_pixel(const NumberOptions& options) {
@@ -65,45 +61,6 @@ bool Ui::Frame::reset_clicked(const Placed& placed) const {
   return !is_disabled() && ImGui::IsMouseDoubleClicked(0) && is_label_hovered(placed);
 }
 
-/// A track with its knob; drags set the value from where the mouse is.
-Edit<double> Ui::Frame::drag_track(const ImRect& box,
-                                   ImGuiID id,
-                                   double value,
-                                   const NumberOptions& options) {
-  const Pressed pressed = press(box, id, ImGuiButtonFlags_PressedOnClick);
-  const float knob = d(6);
-  const float left = box.Min.x + knob;
-  const float right = std::max(left + 1.0F, box.Max.x - knob);
-  Edit<double> edit;
-  edit.value = value;
-  if (pressed.was_clicked) {
-    Draft& begun = begin_draft(id);
-    begun.number = begun.start_number = value;
-  }
-  Draft* const current = draft(id);
-  const bool is_mine = current != nullptr && !current->is_typing;
-  if (is_mine) {
-    edit.value = pressed.is_held
-                     ? value_at((ImGui::GetIO().MousePos.x - left) / (right - left), options)
-                     : current->number;
-    edit = finish_number(id, value, edit, !pressed.is_held);
-  }
-  const float middle = std::floor(box.GetCenter().y);
-  const float half = d(2);
-  const float at =
-      left +
-      (right - left) * narrow(std::isfinite(edit.value) ? share_of(edit.value, options) : 0.0);
-  const Look& colours = state.look;
-  fill({{left - half, middle - half}, {right + half, middle + half}}, shade(colours.line), 2.0);
-  fill({{left - half, middle - half}, {at, middle + half}}, shade(colours.accent), 2.0);
-  ImDrawList* const list = ImGui::GetWindowDrawList();
-  const bool is_lit = pressed.is_hovered || edit.is_editing;
-  list->AddCircleFilled({at, middle}, knob, colours.panel);
-  list->AddCircleFilled({at, middle}, is_lit ? knob : knob - 1.0F,
-                        shade(is_lit ? colours.accent_hovered : colours.accent));
-  return edit;
-}
-
 /// The field's own typing: Enter, or a click elsewhere, commits what can be read.
 Edit<double> Ui::Frame::type_number(const ImRect& box,
                                     ImGuiID id,
@@ -113,12 +70,17 @@ Edit<double> Ui::Frame::type_number(const ImRect& box,
   Edit<double> edit;
   edit.value = draft(id)->number;
   is_last_hovered = false;  // the tooltip of a text that is being typed says what is wrong with it
-  if (type_draft(box, id, label, state.fonts->numbers, ImGuiInputTextFlags_AutoSelectAll)) {
+  add_stop(box, id, number_stop(options));
+  const bool begins_at_end = std::exchange(draft(id)->begins_at_end, false);
+  const bool has_keyboard =
+      type_draft(box, id, label, state.fonts->numbers, ImGuiInputTextFlags_AutoSelectAll);
+  if (begins_at_end) put_caret_at_end(id);
+  if (has_keyboard) {
     edit.is_editing = true;
     const std::string complaint = number_complaint(draft(id)->text, options);
     frame(box, complaint.empty() ? state.look.accent : state.look.bad);
     if (!complaint.empty())
-      tooltip = TooltipWish{label, {}, {}, {complaint}, ImVec2(box.Min.x, box.Max.y + d(4))};
+      tooltip = TooltipWish{label, {}, {}, {complaint}, ImVec2(box.Min.x, box.Max.y + d(4)), false};
     return edit;
   }
   const Draft& current = *draft(id);
@@ -133,7 +95,8 @@ Edit<double> Ui::Frame::type_number(const ImRect& box,
     edit.value = current.start_number;
     edit.refused.clear();
   }
-  state.focused_number = was_escaped ? 0 : id;
+  const bool has_gone_on = state.focus.has_arrived && state.focus.id != id;
+  if (!has_gone_on) state.focused_number = was_escaped ? 0 : id;
   return finish_number(id, value, edit, true);
 }
 
@@ -156,8 +119,10 @@ Edit<double> Ui::Frame::edit_number(const ImRect& box,
     return edit;
   }
   const Pressed pressed =
-      press(box, id, ImGuiButtonFlags_PressedOnClick | ImGuiButtonFlags_PressedOnDoubleClick);
+      press(box, id, ImGuiButtonFlags_PressedOnClick | ImGuiButtonFlags_PressedOnDoubleClick,
+            number_stop(options));
   const ImGuiIO& io = ImGui::GetIO();
+  if (has_focus(id)) state.focused_number = id;
   const bool had_focus = state.focused_number == id;
   if (ImGui::IsMouseClicked(0) && !pressed.is_hovered && had_focus) state.focused_number = 0;
   Edit<double> edit;
@@ -165,11 +130,19 @@ Edit<double> Ui::Frame::edit_number(const ImRect& box,
   const bool enters = had_focus && !is_disabled() && !ImGui::GetIO().WantTextInput &&
                       (ImGui::IsKeyPressed(static_cast<int>(Key::kEnter), false) ||
                        ImGui::IsKeyPressed(static_cast<int>(Key::kPadEnter), false));
-  if ((pressed.was_clicked && (io.KeyCtrl || ImGui::IsMouseDoubleClicked(0))) || enters) {
+  const std::string typed = had_focus && !is_disabled() && !ImGui::GetIO().WantTextInput &&
+                                    is_begin_of_number(state.input)
+                                ? state.input.characters
+                                : std::string();
+  if ((pressed.was_clicked && (io.KeyCtrl || ImGui::IsMouseDoubleClicked(0))) || enters ||
+      !typed.empty()) {
     if (ImGui::GetCurrentContext()->ActiveId == id) ImGui::ClearActiveID();
     Draft& begun = begin_draft(id);
     begun.number = begun.start_number = value;
-    begun.text = options.refused.empty() ? digits_text(value, options) : options.refused;
+    begun.text = !typed.empty()            ? typed
+                 : options.refused.empty() ? digits_text(value, options)
+                                           : options.refused;
+    begun.begins_at_end = !typed.empty();
     begun.is_typing = true;
     return type_number(box, id, label, value, options);
   }
@@ -188,15 +161,14 @@ Edit<double> Ui::Frame::edit_number(const ImRect& box,
     if (!pressed.is_held && !current->was_dragged) state.focused_number = id;
     edit = finish_number(id, value, edit, !pressed.is_held);
   } else if (had_focus && !is_disabled()) {
-    const auto went_down = [](Key key) { return ImGui::IsKeyPressed(static_cast<int>(key), true); };
-    const int steps = (went_down(Key::kRight) || went_down(Key::kUp) ? 1 : 0) -
-                      (went_down(Key::kLeft) || went_down(Key::kDown) ? 1 : 0);
-    if (went_down(Key::kEscape)) state.focused_number = 0;
-    edit.value =
-        steps == 0
-            ? value
-            : kept_digits(value + steps * step_of(options) * (io.KeyShift ? 10.0 : 1.0), options);
-    edit.is_changed = edit.was_committed = steps != 0 && edit.value != value;
+    const int steps = (went_down(Key::kRight, true) || went_down(Key::kUp, true) ? 1 : 0) -
+                      (went_down(Key::kLeft, true) || went_down(Key::kDown, true) ? 1 : 0);
+    if (went_down(Key::kEscape, true)) state.focused_number = 0;
+    if (steps != 0)
+      edit.value =
+          kept_digits(value + steps * step_of(options) * (io.KeyShift ? kManySteps : 1.0), options);
+    if (options.reset && went_down(Key::kDelete, false)) edit.value = *options.reset;
+    edit.is_changed = edit.was_committed = edit.value != value;
   }
   if (pressed.is_hovered && !is_disabled()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   const Look& colours = state.look;
@@ -236,64 +208,6 @@ Edit<double> Ui::number_input(const std::string& label,
                                                              : options.refused;
   frame.is_last_hovered = frame.is_last_hovered || frame.is_label_hovered(placed);
   frame.explain(number_hint(options));
-  return edit;
-}
-
-Edit<double> Ui::slider(const std::string& label, double value, const NumberOptions& options) {
-  NADIR_REQUIRE(std::isfinite(options.least) && options.most > options.least &&
-                (!options.is_logarithmic || options.least > 0.0));
-  Frame& frame = *frame_;
-  const Placed placed = frame.place_labelled(label, frame.d(28));
-  const bool is_marked = options.reset && *options.reset != value;
-  frame.draw_label(placed, label, is_marked);
-  const float widest =
-      std::max(frame.text_size(digits_text(options.least, options), frame.state.fonts->numbers).x,
-               frame.text_size(digits_text(options.most, options), frame.state.fonts->numbers).x);
-  const float unit = options.unit.empty()
-                         ? 0.0F
-                         : frame.text_size(options.unit, frame.state.fonts->text).x + frame.d(4);
-  const float number_width =
-      std::min(placed.field.GetWidth() / 2.0F, std::ceil(widest + unit) + 2.0F * frame.d(6) + 2.0F);
-  const ImRect track(placed.field.Min,
-                     {placed.field.Max.x - number_width - frame.d(8), placed.field.Max.y});
-  Edit<double> dragged = frame.drag_track(track, placed.id, value, options);
-  const bool is_track_hovered = frame.is_last_hovered;
-  if (options.reset && is_marked && frame.reset_clicked(placed))
-    dragged = {*options.reset, true, false, true, true};
-  Control& control = frame.note(ControlKind::kSlider, label, track);
-  control.label_rect = rect_of(placed.label);
-  control.value = digits_text(dragged.value, options);
-  frame.is_last_hovered = is_track_hovered || frame.is_label_hovered(placed);
-  frame.explain(number_hint(options));
-  ImGui::PushID(label.c_str());
-  const ImRect field({placed.field.Max.x - number_width, placed.field.Min.y}, placed.field.Max);
-  const ImGuiID field_id = ImGui::GetCurrentWindow()->GetID("##value");
-  frame.add_part(field, field_id);
-  const Edit<double> typed = frame.edit_number(field, field_id, "value", dragged.value, options);
-  Control& value_control = frame.note(ControlKind::kNumber, label + "/value", field);
-  value_control.label = "value";
-  value_control.value = options.refused.empty() || typed.is_changed
-                            ? digits_text(typed.value, options)
-                            : options.refused;
-  frame.explain(number_hint(options));
-  ImGui::PopID();
-  return dragged.is_changed || dragged.is_editing || dragged.was_ended || dragged.was_committed
-             ? dragged
-             : typed;
-}
-
-Edit<double> Ui::small_slider(const std::string& name, double value, const NumberOptions& options) {
-  NADIR_REQUIRE(std::isfinite(options.least) && options.most > options.least &&
-                (!options.is_logarithmic || options.least > 0.0));
-  Frame& frame = *frame_;
-  const float width = frame.next_width > 0.0F ? frame.next_width : frame.room_width();
-  const Placed placed = frame.place(name, {width, frame.d(28)}, frame.d(4));
-  Edit<double> edit = frame.drag_track(placed.box, placed.id, value, options);
-  frame.note(ControlKind::kSlider, name, placed.box).value = digits_text(edit.value, options);
-  Hint hint = number_hint(options);
-  if (hint.text.empty()) hint.text = Frame::shown(name);
-  hint.text += " " + digits_text(edit.value, options);
-  frame.explain(hint);
   return edit;
 }
 

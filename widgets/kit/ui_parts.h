@@ -114,6 +114,7 @@ struct TextOptions {
   bool takes_focus = false;      ///< In the first frame in which it shows; the palette's input.
   bool takes_focus_now =
       false;  ///< In this frame: the text given takes the place of what is typed, which goes on at its end.
+  bool takes_tab = false;  ///< Tab completes what is typed (wants_completion); Shift+Tab goes on.
   bool is_multiline = false;
   double width = 0.0;  ///< 0: all there is.
   Hint hint = {};
@@ -139,6 +140,7 @@ struct TableOptions {
   double height = 0.0;  ///< 0: as high as its rows; more: scrolls inside.
   bool has_header = true;
   bool is_sortable = false;
+  bool is_dense = false;  ///< Half the room between columns: many numbers in a narrow panel.
 };
 
 /// What the user did to a row, a list's or a table's.

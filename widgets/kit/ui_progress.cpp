@@ -81,9 +81,15 @@ Edit<std::size_t> Ui::grip(const std::string& name,
                            double row_height) {
   Frame& frame = *frame_;
   const Placed placed = frame.place(name, {frame.d(16), frame.d(28)}, 0.0F);
-  const Pressed pressed = frame.press(placed, ImGuiButtonFlags_PressedOnClick);
+  const Pressed pressed = frame.press(placed, ImGuiButtonFlags_PressedOnClick,
+                                      {.takes_press = false, .arrows = Arrows::kUpDown});
   Edit<std::size_t> edit;
   edit.value = place;
+  const int up = frame.arrow_steps(placed.id, Arrows::kUpDown);
+  if (up > 0 ? place > 0 : up < 0 && place + 1 < count) {
+    edit.value = up > 0 ? place - 1 : place + 1;
+    edit.is_changed = edit.was_committed = true;
+  }
   const float mouse = ImGui::GetIO().MousePos.y;
   if (pressed.was_clicked) {
     Draft& begun = frame.begin_draft(placed.id);

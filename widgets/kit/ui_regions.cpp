@@ -28,6 +28,8 @@ ImU32 colour_of(Surface surface, const Look& look) {
   return 0;
 }
 
+constexpr double kSplitterStep = 16.0;  ///< Of one press of an arrow.
+
 /// Popups that it opened stay above it.
 void bring_to_front() {
   if (ImGui::GetCurrentContext()->OpenPopupStack.Size == 0)
@@ -68,6 +70,8 @@ Scope Ui::region(const std::string& name, const Rect& rect, const RegionStyle& s
 Overlay Ui::overlay(const std::string& name, const OverlayStyle& style) {
   Frame& frame = *frame_;
   const Rect whole = screen();
+  const int depth_before = std::exchange(frame.box_depth, ++frame.boxes);
+  frame.top_layer = std::max(frame.top_layer, kLayersOfABox * frame.box_depth);
   const std::string window_name = "overlay/" + frame.prefix + name;
   ImGui::SetNextWindowPos({0.0F, 0.0F});
   ImGui::SetNextWindowSize({narrow(whole.width), narrow(whole.height)});
@@ -75,6 +79,7 @@ Overlay Ui::overlay(const std::string& name, const OverlayStyle& style) {
   ImGui::Begin((window_name + "/dimmed").c_str(), nullptr, kBare | ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleColor();
   bring_to_front();
+  if (frame.lowest_box == nullptr) frame.lowest_box = ImGui::GetCurrentWindow();
   const bool was_clicked_beside = ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0);
   ImGui::End();
 
@@ -98,14 +103,16 @@ Overlay Ui::overlay(const std::string& name, const OverlayStyle& style) {
   const ImGuiWindow* const window = ImGui::GetCurrentWindow();
   frame.note(ControlKind::kOverlay, name,
              {window->Pos, {window->Pos.x + window->Size.x, window->Pos.y + window->Size.y}});
+  frame.box_places.push_back(window->Rect());
   const bool was_escaped = ImGui::GetCurrentContext()->OpenPopupStack.Size == 0 &&
                            ImGui::IsKeyPressed(static_cast<int>(Key::kEscape), false);
   const std::size_t length = frame.prefix.size();
   frame.prefix += name + "/";
   return {Scope(true,
-                [&frame, length] {
+                [&frame, length, depth_before] {
                   ImGui::End();
                   frame.prefix.resize(length);
+                  frame.box_depth = depth_before;
                 }),
           was_clicked_beside || was_escaped};
 }
@@ -160,9 +167,11 @@ Edit<double> Ui::Frame::drag_splitter(const std::string& name,
                                       bool grows_backwards) {
   const ImGuiID id = ImGui::GetCurrentWindow()->GetID(name.c_str());
   add_part(box, id);
-  const Pressed pressed =
-      press(box, id, ImGuiButtonFlags_PressedOnClick | ImGuiButtonFlags_FlattenChildren);
   const bool is_across = axis == Axis::kHorizontal;
+  const Arrows arrows = is_across ? Arrows::kSideways : Arrows::kUpDown;
+  const Pressed pressed =
+      press(box, id, ImGuiButtonFlags_PressedOnClick | ImGuiButtonFlags_FlattenChildren,
+            {.takes_press = false, .arrows = arrows, .is_handle = true});
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const double at = is_across ? mouse.x : mouse.y;
   Edit<double> edit;
@@ -181,6 +190,12 @@ Edit<double> Ui::Frame::drag_splitter(const std::string& name,
       edit.was_committed = edit.value != current->start_number;
       end_draft();
     }
+  }
+  if (const int steps = arrow_steps(id, arrows); steps != 0) {
+    // The line goes where the arrow points: up is less of what lies above it.
+    const double moved = (is_across == grows_backwards ? -1.0 : 1.0) * steps * d(kSplitterStep);
+    edit.value = std::clamp(size + moved, std::min(least, most), std::max(least, most));
+    edit.is_changed = edit.was_committed = edit.value != size;
   }
   if (pressed.is_hovered || pressed.is_held)
     ImGui::SetMouseCursor(is_across ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);

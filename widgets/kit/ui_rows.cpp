@@ -12,7 +12,11 @@ constexpr double kListRowHeight = 28.0;
 }  // namespace
 
 RowInput Ui::Frame::press_row(const ImRect& box, ImGuiID id, bool is_selected) {
-  const Pressed pressed = press(box, id, ImGuiButtonFlags_AllowItemOverlap);
+  const ImGuiTable* const table = ImGui::GetCurrentTable();
+  const Stop stop{.arrows = Arrows::kUpDown,
+                  .group = table != nullptr ? table->ID : ImGui::GetCurrentWindow()->ID,
+                  .is_selected = is_selected};
+  const Pressed pressed = press(box, id, ImGuiButtonFlags_AllowItemOverlap, stop);
   ImGui::SetItemAllowOverlap();
   RowInput input;
   input.is_hovered = is_last_hovered && !is_disabled();

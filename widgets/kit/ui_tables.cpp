@@ -29,7 +29,7 @@ Scope Ui::table(const std::string& name,
   ImGuiTableFlags flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings |
                           ImGuiTableFlags_NoBordersInBody | ImGuiTableFlags_PadOuterX;
   if (options.height > 0.0) flags |= ImGuiTableFlags_ScrollY;
-  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(frame.d(8), 0.0F));
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(frame.d(options.is_dense ? 4 : 8), 0.0F));
   const bool is_open = ImGui::BeginTable(name.c_str(), static_cast<int>(columns.size()), flags,
                                          {0.0F, narrow(options.height)});
   ImGui::PopStyleVar();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "widgets/canvas/printable.h"
 #include "widgets/kit/ui_canvas.h"
 #include "widgets/kit/ui_frame.h"
 
@@ -44,7 +45,7 @@ void Ui::wrapped(const std::string& words, TextLook look) {
   ImGui::PushFont(font);
   ImGui::PushStyleColor(ImGuiCol_Text, frame.shade(frame.colour(look)));
   ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(words.c_str());
+  ImGui::TextUnformatted(printable(words).c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   ImGui::PopFont();
@@ -142,7 +143,7 @@ bool Ui::empty_state(Icon icon,
   const Rect left = room();
   const double words_width = std::min(left.width, px(280));
   const ImVec2 words = frame.state.fonts->text->CalcTextSizeA(
-      frame.state.fonts->text->FontSize, FLT_MAX, narrow(words_width), sentence.c_str());
+      frame.state.fonts->text->FontSize, FLT_MAX, narrow(words_width), printable(sentence).c_str());
   const double height = px(36) + words.y + (button_label.empty() ? 0.0 : px(12) + px(28));
   space(std::max(px(8), std::min(px(120), (left.height - height) / 3.0)));
   const float middle = narrow(left.left + left.width / 2.0);
@@ -159,7 +160,7 @@ bool Ui::empty_state(Icon icon,
       {std::floor(middle - narrow(words.x) / 2.0F), ImGui::GetCursorScreenPos().y});
   ImGui::PushStyleColor(ImGuiCol_Text, frame.shade(frame.state.look.muted));
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + words.x + 1.0F);
-  ImGui::TextUnformatted(sentence.c_str());
+  ImGui::TextUnformatted(printable(sentence).c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   frame.is_last_hovered = false;

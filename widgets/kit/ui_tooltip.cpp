@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/base/require.h"
+#include "widgets/canvas/printable.h"
 #include "widgets/kit/ui_canvas.h"
 #include "widgets/kit/ui_frame.h"
 #include "widgets/kit/wrapped_lines.h"
@@ -18,7 +19,7 @@ std::size_t write_words(const std::string& words, ImFont* font, ImU32 colour) {
   ImGui::PushStyleColor(ImGuiCol_Text, colour);
   std::size_t last = 0;
   for (const std::string& line : wrapped_lines(words, kCharacters)) {
-    ImGui::TextUnformatted(line.c_str());
+    ImGui::TextUnformatted(printable(line).c_str());
     last = character_count(line);
   }
   ImGui::PopStyleColor();
@@ -98,11 +99,19 @@ void Ui::Frame::explain(const Hint& said, bool was_cut) {
     words += (words.empty() ? "" : ". ") + disabled_reasons.back();
   control.tooltip = words;
   if (is_last_hovered && !words.empty()) wish_tooltip(control, hint);
+  if (!control.is_focused || is_last_hovered || tooltip || words.empty()) return;
+  wish_tooltip(control, hint);
+  // Under it, or over it at the lower end of the window.
+  const double below = control.rect.bottom() + d(6);
+  const bool is_low = below + d(96) > state.input.size_px.y();
+  tooltip->place = im({std::max(0.0, std::min(control.rect.left, state.input.size_px.x() - d(320))),
+                       is_low ? control.rect.top - d(6) : below});
+  tooltip->is_above = is_low;
 }
 
 void Ui::Frame::wish_tooltip(const Control& control, const Hint& hint) {
-  tooltip = TooltipWish{
-      control.path, hint, is_disabled() ? disabled_reasons.back() : std::string(), {}, {}};
+  tooltip = TooltipWish{control.path, hint, is_disabled() ? disabled_reasons.back() : std::string(),
+                        {},           {},   false};
 }
 
 void Ui::Frame::show_tooltip() {
@@ -129,7 +138,9 @@ void Ui::Frame::show_tooltip() {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(d(10), d(7)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, d(4));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(d(8), d(2)));
-  if (tooltip->place) ImGui::SetNextWindowPos(*tooltip->place);
+  if (tooltip->place)
+    ImGui::SetNextWindowPos(*tooltip->place, ImGuiCond_Always,
+                            {0.0F, tooltip->is_above ? 1.0F : 0.0F});
   ImGui::BeginTooltip();
   if (is_immediate) {
     for (std::size_t i = 0; i < tooltip->lines.size(); ++i) {
@@ -145,7 +156,7 @@ void Ui::Frame::show_tooltip() {
 }
 
 void Ui::mouse_tooltip(std::span<const std::string> lines) {
-  frame_->tooltip = TooltipWish{"mouse", {}, {}, {lines.begin(), lines.end()}, {}};
+  frame_->tooltip = TooltipWish{"mouse", {}, {}, {lines.begin(), lines.end()}, {}, false};
 }
 
 void Ui::hint(const Hint& hint) { frame_->explain(hint); }

@@ -159,6 +159,63 @@ TEST(NoticeStacks, KeepTheirDetailsOpenWhileOthersComeAndGo) {
   EXPECT_TRUE(screen.shows("errno 28"));
 }
 
+/// Notices in a window over which a box lies.
+struct UnderABox {
+  Shown shown;
+  double box_width = 640.0, box_height = 480.0;
+  int clicks = 0;
+  void operator()(Ui& ui) {
+    OverlayStyle style;
+    style.width = box_width;
+    style.height = box_height;
+    {
+      const auto box = ui.overlay("Box", style);
+      ui.next_width(ui.room().width);
+      ui.space(ui.room().height - ui.px(40.0));
+      ui.next_width(ui.room().width);
+      if (ui.button("Do")) ++clicks;
+    }
+    shown(ui);
+  }
+};
+
+TEST(NoticeStacks, CoverNothingOfAnOpenBox) {
+  for (const double width : {400.0, 640.0, 900.0, 1240.0}) {
+    HeadlessUi screen;
+    screen.leave_out_region();
+    UnderABox window;
+    window.box_width = width;
+    window.box_height = 760.0;
+    for (int i = 0; i < 3; ++i)
+      window.shown.notices.push_back(notice(std::to_string(i), "The figure could not be written."));
+    screen.wait(4, window);
+    const Rect box = screen.at("Box").rect;
+    bool is_beside = false;
+    for (int i = 0; i < 3; ++i) {
+      const Rect lies = screen.at("Notices/" + std::to_string(i)).rect;
+      EXPECT_LE(lies.right(), 1280.0);
+      is_beside = lies.left >= box.right();
+    }
+    EXPECT_EQ(is_beside, width < 700.0) << "where there is room for words";
+    // What is pressed at its very edge is the box's own.
+    const Rect button = screen.at("Box/Do").rect;
+    screen.click_at("Box/Do", button.width - 3.0, button.height / 2.0, window);
+    EXPECT_EQ(window.clicks, 1) << width;
+    EXPECT_TRUE(window.shown.wishes.empty());
+  }
+}
+
+TEST(NoticeStacks, BesideABoxAreReadAndDismissed) {
+  HeadlessUi screen;
+  screen.leave_out_region();
+  UnderABox window;
+  window.shown.notices = {notice("1", "The figure could not be written.")};
+  screen.wait(4, window);
+  screen.click("Notices/1/Dismiss", window);
+  ASSERT_EQ(window.shown.wishes.size(), 1U);
+  EXPECT_EQ(window.shown.wishes[0].kind, NoticeWish::Kind::kDismiss);
+}
+
 TEST(NoticeStacks, LieUnderOpenMenus) {
   HeadlessUi screen(ThemeName::kDark, 1.0, {500.0, 400.0});
   Shown shown;

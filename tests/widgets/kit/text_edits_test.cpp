@@ -145,6 +145,34 @@ TEST(TextEdits, TellTheWindowThatTheyTakeWhatIsTyped) {
   EXPECT_FALSE(screen.context().is_typing());
 }
 
+TEST(TextInputs, KeepBytesThatAreNoTextWhileSomebodyTypes) {
+  HeadlessUi screen;
+  std::string name = "caf\xE9";
+  const auto draw = [&name](Ui& ui) { name = ui.text_input("Name", name).value; };
+  screen.wait(2, draw);
+  screen.click("Name", draw);
+  screen.wait(2, draw);
+  EXPECT_EQ(name, "caf\xE9") << "it is only looked at";
+  screen.press("End", draw);
+  screen.input().characters = ".nadir";
+  screen.frame(draw);
+  screen.input().characters.clear();
+  screen.press("Enter", draw);
+  EXPECT_EQ(name, "caf\xE9.nadir");
+}
+
+TEST(Texts, ShowBytesThatAreNoTextAsOneCharacterEach) {
+  HeadlessUi screen;
+  double shown = 0.0, expected = 0.0, without = 0.0;
+  screen.wait(1, [&](Ui& ui) {
+    shown = ui.text_width("caf\xE9.nadir");  // whose last letter seems to begin a longer one
+    expected = ui.text_width("caf\xEF\xBF\xBD.nadir");
+    without = ui.text_width("caf.nadir");
+  });
+  EXPECT_EQ(shown, expected);
+  EXPECT_GT(shown, without);
+}
+
 TEST(SearchInputs, ShowAPlaceholderOnlyWhileTheyAreEmpty) {
   HeadlessUi screen;
   std::string found;
