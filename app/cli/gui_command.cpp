@@ -33,7 +33,9 @@ void add_arguments(CLI::App& app, GuiArguments& values) {
   app.add_option(
       "FILE", values.request.files,
       "Runs, maps, flights, recipes or figures to open; without any, what was open last");
-  app.add_flag("--fresh", values.is_fresh, "Open nothing by itself");
+  app.add_flag("--fresh", values.is_fresh,
+               "Open nothing by itself, and leave what was open last for the next start without "
+               "this");
   app.add_option("--size", values.size, "Of the window [px], default 1280x800")
       ->type_name("WIDTHxHEIGHT");
   app.add_option("--scale", values.scale,
@@ -129,6 +131,7 @@ int run_gui(std::span<const std::string> arguments, std::ostream& out, std::ostr
   }
   request.program = own_program();
   request.restores = !values.is_fresh;
+  request.places.keeps_session = !values.is_fresh;
   if (!values.script.empty()) request.script = values.script;
   if (!values.screenshot.empty()) request.screenshot = values.screenshot;
   const bool is_unseen = request.script || request.screenshot;

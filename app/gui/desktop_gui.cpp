@@ -6,6 +6,7 @@
 
 #include "app/gui/frame_pace.h"
 #include "app/gui/gui_shell.h"
+#include "widgets/canvas/printable.h"
 #include "widgets/gl/desktop_window.h"
 #include "widgets/kit/desktop_input.h"
 #include "widgets/kit/ui_context.h"
@@ -83,7 +84,7 @@ Result<void> run_desktop_gui(const GuiRequest& request) {
     (*window)->swap();
     if (const std::string wanted = title_of(shell.session()); wanted != title) {
       title = wanted;
-      (*window)->set_title(title);
+      (*window)->set_title(printable(title));
     }
   }
   return {};

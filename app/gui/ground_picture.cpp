@@ -7,8 +7,10 @@
 
 #include "core/eval/evaluated_step.h"
 #include "core/mcl/cell_agreement.h"
+#include "core/session/map_parts.h"
 #include "core/session/step_pose.h"
 #include "core/topview/semantic_topview.h"
+#include "widgets/figures/ground_layers.h"
 #include "widgets/panels/map_lines.h"
 #include "widgets/views/raster_pictures.h"
 
@@ -61,7 +63,7 @@ ParticleLook window_particles(const Theme& theme, bool is_on_picture, double opa
   look.size_pt = 1.5;
   look.tick_width_pt = 0.9;
   look.casing = particle_casing(theme, is_on_picture);
-  look.casing_of_dark = with_opacity({255, 255, 255}, 0.45);
+  look.casing_of_dark = with_opacity(light_on_imagery(theme), 0.45);
   look.casing_pt = 0.6;
   look.opacity = opacity;
   return look;
@@ -144,25 +146,16 @@ void GroundPicture::show(const GroundContents& contents) {
   shown_ = contents;
 }
 
-bool GroundPicture::shows_labels(const MapLook& look) const {
-  const auto is_seen = [&look](Layer layer) {
-    return look.layer(layer).is_visible && look.layer(layer).opacity > 0.0;
-  };
-  return is_seen(Layer::kLabels) || (!picture_ && is_seen(Layer::kPicture));
-}
-
 void GroundPicture::show_layers(const MapLook& look) {
-  const LayerLook& picture = look.layer(Layer::kPicture);
-  const LayerLook& labels = look.layer(Layer::kLabels);
   if (picture_) {
-    picture_->set_visible(picture.is_visible && picture.opacity > 0.0);
-    picture_->set_opacity(picture.opacity);
+    picture_->set_visible(is_in_sight(look, Layer::kPicture));
+    picture_->set_opacity(look.layer(Layer::kPicture).opacity);
   }
   if (labels_) {
-    labels_->set_visible(shows_labels(look));
-    labels_->set_opacity(picture_ ? labels.opacity : std::max(labels.opacity, picture.opacity));
+    labels_->set_visible(shows_labels(look, has_picture()));
+    labels_->set_opacity(labels_opacity(look, has_picture()));
   }
-  scene_.set_order(scene_layers(look.order, look));
+  scene_.set_order(scene_layers(look.order, look, has_picture()));
   reconstruction_.set_opacity(look.layer(Layer::kReconstruction).opacity);
   surface_.set_opacity(look.layer(Layer::kErrorSurface).opacity);
   topview_.set_opacity(look.layer(Layer::kTopview).opacity);
@@ -203,50 +196,13 @@ void GroundPicture::show_surface(const MomentSurface& surface, bool shows_best_t
                 enu_from_corner, Eigen::Vector2d::Constant(grid.step_m), true, false);
 }
 
-std::vector<MapLayer> GroundPicture::scene_layers(const std::vector<Layer>& layers,
-                                                  const MapLook& look) const {
-  // In the place of a picture that there is not lie the labels, unless they are shown in their own.
-  const LayerLook& labels = look.layer(Layer::kLabels);
-  const bool has_labels = labels.is_visible && labels.opacity > 0.0;
-  std::vector<MapLayer> made;
-  for (const Layer layer : layers) {
-    switch (layer) {
-      case Layer::kPicture:
-        if (picture_) made.push_back(MapLayer::kPicture);
-        if (!picture_ && !has_labels) made.push_back(MapLayer::kLabels);
-        break;
-      case Layer::kLabels:
-        if (picture_ || has_labels) made.push_back(MapLayer::kLabels);
-        break;
-      case Layer::kReconstruction:
-        made.push_back(MapLayer::kReconstruction);
-        break;
-      case Layer::kErrorSurface:
-        made.push_back(MapLayer::kSurface);
-        break;
-      case Layer::kTopview:
-        made.push_back(MapLayer::kTopview);
-        break;
-      case Layer::kDisagreement:
-        made.push_back(MapLayer::kAgreement);
-        break;
-      case Layer::kParticles:
-        made.push_back(MapLayer::kParticles);
-        break;
-      default:
-        break;
-    }
-  }
-  return made;
-}
-
 Result<void> GroundPicture::update_tiles(const MapCamera& camera,
                                          int width,
                                          int height,
                                          const GroundPart& part) {
   Result<void> outcome;
   const MapLook look = shown_ ? shown_->look : default_map_look();
-  const std::vector<MapLayer> drawn = scene_layers(part.layers, look);
+  const std::vector<MapLayer> drawn = scene_layers(part.layers, look, has_picture());
   const auto is_drawn = [&drawn](MapLayer layer) {
     return std::find(drawn.begin(), drawn.end(), layer) != drawn.end();
   };
@@ -258,9 +214,8 @@ Result<void> GroundPicture::update_tiles(const MapCamera& camera,
     if (!is_all) outcome = forward_error(is_all);  // once; the rest comes all the same
     if (!is_all || !*is_all) is_complete = false;
   };
-  const LayerLook& picture = look.layer(Layer::kPicture);
-  update(picture_.get(), is_drawn(MapLayer::kPicture), picture.is_visible && picture.opacity > 0.0);
-  update(labels_.get(), is_drawn(MapLayer::kLabels), shows_labels(look));
+  update(picture_.get(), is_drawn(MapLayer::kPicture), is_in_sight(look, Layer::kPicture));
+  update(labels_.get(), is_drawn(MapLayer::kLabels), shows_labels(look, has_picture()));
   parts_[static_cast<std::size_t>(part.number)].wants_more = !is_complete;
   return outcome;
 }
@@ -277,7 +232,7 @@ Result<void> GroundPicture::draw(
   scene_.set_background(theme(shown_ ? shown_->theme : ThemeName::kDark).window, !part.is_lowest);
   scene_.look({camera, 1.0 * width, 1.0 * height, px_per_pt});
   const MapLook look = shown_ ? shown_->look : default_map_look();
-  if (!is_alone) scene_.show_only(scene_layers(part.layers, look));
+  if (!is_alone) scene_.show_only(scene_layers(part.layers, look, has_picture()));
   drawn.texture = texture_.draw(width, height);
   scene_.show_all();
   if (!is_alone) {  // the next part is drawn where this one was

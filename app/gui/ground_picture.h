@@ -67,19 +67,16 @@ class GroundPicture {
   [[nodiscard]] std::uint32_t texture(int number = 0) const;
   /// Whether tiles are still missing, so that the next frame shows more.
   [[nodiscard]] bool wants_more() const;
+  /// False: the map is labels only, or there is none.
+  [[nodiscard]] bool has_picture() const { return picture_ != nullptr; }
   /// How often topview and agreement were laid anew: not while only the camera moves.
   [[nodiscard]] std::size_t topviews_laid() const { return topviews_laid_; }
 
  private:
   explicit GroundPicture(const Eigen::Vector2d& centre_in_enu_m);
-  /// Of a map without a picture the labels are the ground.
-  [[nodiscard]] bool shows_labels(const MapLook& look) const;
   void show_layers(const MapLook& look);
   void show_topview(const GroundContents& contents);
   void show_surface(const MomentSurface& surface, bool shows_best_turn);
-  /// What a layer's part of the scene is called.
-  [[nodiscard]] std::vector<MapLayer> scene_layers(const std::vector<Layer>& layers,
-                                                   const MapLook& look) const;
   [[nodiscard]] Result<void> update_tiles(const MapCamera& camera,
                                           int width,
                                           int height,

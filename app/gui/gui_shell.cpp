@@ -66,7 +66,7 @@ void GuiShell::frame(kit::Ui& ui, double elapsed_s) {
   poll(elapsed_s);
   if (is_first_frame_) ui.set_turned_sections(session_.turned_sections());
   is_first_frame_ = false;
-  window_.frame(ui);
+  window_.frame(ui, elapsed_s);
   session_.keep_turned_sections(ui.turned_sections());
 }
 

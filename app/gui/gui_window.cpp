@@ -33,8 +33,9 @@ bool GuiWindow::is_empty() const {
   return session_.view().runs.empty() && session_.view().map_path.empty();
 }
 
-void GuiWindow::frame(kit::Ui& ui) {
+void GuiWindow::frame(kit::Ui& ui, double elapsed_s) {
   wants_more_ = false;
+  if (undo_pace_.is_over(elapsed_s)) session_.seal_history();
   follow_map();
   Actions asked;
   const WindowPlaces places = arrange(ui);
@@ -49,11 +50,13 @@ void GuiWindow::frame(kit::Ui& ui) {
   draw_columns(ui, places, asked);
   draw_splitters(ui, places, asked);
   draw_overlays(ui, asked);
-  join(asked, draw_notices(ui, notices_model(session_), places.map));
+  // Beside a box that lies over the window there is more room in all of it.
+  const kit::Rect beside = is_overlay_open ? ui.screen() : places.map;
+  join(asked, draw_notices(ui, notices_model(session_), beside));
   forget_unseen();
   note_front(asked);
   for (const Action& action : asked) session_.apply(action);  // what fails becomes a notice
-  if (!ui.is_holding()) session_.seal_history();
+  undo_pace_.note(!asked.empty(), ui.is_holding());
 }
 
 void GuiWindow::draw_middle(kit::Ui& ui, Actions& asked) {
@@ -71,6 +74,7 @@ void GuiWindow::draw_middle(kit::Ui& ui, Actions& asked) {
   if (const auto surface = surface_now()) {
     model.surface_costs = cost_range(why_.shows_best_turn ? surface->best_turn : surface->plane);
   }
+  if (const auto& ground = grounds_.front().picture) model.has_picture = ground->has_picture();
   join(asked, draw_map_view(ui, model, map_));
   map_.ground = {};
   session_.set_map_room(map_.room);

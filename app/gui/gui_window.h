@@ -11,6 +11,7 @@
 #include "app/gui/flight_scene.h"
 #include "app/gui/ground_picture.h"
 #include "app/gui/picture_textures.h"
+#include "app/gui/undo_pace.h"
 #include "app/gui/window_arrangement.h"
 #include "core/session/ground_reconstruction.h"
 #include "core/session/session.h"
@@ -47,8 +48,8 @@ class GuiWindow {
   GuiWindow(const GuiWindow&) = delete;
   GuiWindow& operator=(const GuiWindow&) = delete;
 
-  /// Draws one frame and applies what was asked for in it.
-  void frame(kit::Ui& ui);
+  /// Draws one frame and applies what was asked for in it. @param elapsed_s  Since the last one.
+  void frame(kit::Ui& ui, double elapsed_s);
   /// Whether the very next frame would show more without anybody doing anything: tiles come in.
   [[nodiscard]] bool wants_more() const { return wants_more_; }
   /// Whether something is being computed that will be shown.
@@ -95,6 +96,7 @@ class GuiWindow {
   std::unique_ptr<FlightScene> scene_;
   std::set<std::string> complaints_;  ///< About the map that is open.
   bool wants_more_ = false;
+  UndoPace undo_pace_;
   WindowSide front_ = WindowSide::kRight;  ///< Column whose panel was asked for last.
   Panel shown_left_ = Panel::kLayers, shown_right_ = Panel::kMoment;
   // What the panels keep from frame to frame.

@@ -82,6 +82,40 @@ void draw_strip_of(kit::Ui& ui,
   }
 }
 
+/// A column, or the strip in its place. @param draw  Its content.
+template <std::size_t N, typename Draw>
+void draw_column(kit::Ui& ui,
+                 const std::string& name,
+                 const kit::Rect& column,
+                 const kit::Rect& strip,
+                 const std::array<Tab, N>& tabs,
+                 const WindowLayout& layout,
+                 Actions& asked,
+                 const Draw& draw) {
+  if (column.width > 0.0) {
+    const auto region = ui.region(name, column, {.has_border = true});
+    draw();
+  }
+  if (strip.width > 0.0) {
+    const auto region = ui.region(name, strip, {.padding = ui.px(4.0), .has_border = true});
+    draw_strip_of(ui, tabs, layout, asked);
+  }
+}
+
+/// The tabs of a column. @returns the panel below them. @param front  That was asked for last.
+template <std::size_t N>
+Panel draw_tabs(kit::Ui& ui,
+                const std::array<Tab, N>& all,
+                const WindowLayout& layout,
+                Panel front,
+                Actions& asked) {
+  const Tabs tabs = shown_tabs(all, layout, front);
+  if (const auto chosen = ui.tabs("Tabs", tabs.titles, tabs.chosen)) {
+    asked.emplace_back(actions::ShowPanel{tabs.panels[*chosen], Switch::kOn});
+  }
+  return tabs.panels[tabs.chosen];
+}
+
 }  // namespace
 
 WindowPlaces GuiWindow::arrange(const kit::Ui& ui) {
@@ -128,33 +162,24 @@ void GuiWindow::draw_columns(kit::Ui& ui, const WindowPlaces& places, Actions& a
     const auto region = ui.region("Rail", places.rail, {.padding = 0.0});
     take_wishes(asked, draw_left_rail(ui, left_rail_model(session_)));
   }
-  if (places.left.width > 0.0) {
-    const auto region = ui.region("Left", places.left, {.has_border = true});
-    draw_left(ui, asked);
-  }
-  if (places.left_strip.width > 0.0) {
-    const auto region =
-        ui.region("Left", places.left_strip, {.padding = ui.px(4.0), .has_border = true});
-    draw_strip_of(ui, kLeftTabs, session_.view().layout, asked);
-  }
+  const WindowLayout& layout = session_.view().layout;
+  draw_column(ui, "Left", places.left, places.left_strip, kLeftTabs, layout, asked,
+              [&] { draw_left(ui, asked); });
   {
     const auto region =
         ui.region("Middle", places.map,
                   {.surface = kit::Surface::kWindow, .padding = 0.0, .has_scroll = is_empty()});
     draw_middle(ui, asked);
   }
-  if (places.right.width > 0.0) {
-    const auto region = ui.region("Right", places.right, {.has_border = true});
-    draw_right(ui, asked);
-  }
-  if (places.right_strip.width > 0.0) {
-    const auto region =
-        ui.region("Right", places.right_strip, {.padding = ui.px(4.0), .has_border = true});
-    draw_strip_of(ui, kRightTabs, session_.view().layout, asked);
-  }
+  draw_column(ui, "Right", places.right, places.right_strip, kRightTabs, layout, asked,
+              [&] { draw_right(ui, asked); });
   if (places.timeline.height > 0.0) {
-    const auto region = ui.region("Bottom", places.timeline, {.has_border = true});
+    const auto region = ui.region("Bottom", places.timeline,
+                                  {.padding = ui.px(kTimelinePadding), .has_border = true});
     take_wishes(asked, draw_timeline(ui, timeline_model(session_), timeline_));
+    if (!timeline_.fault.empty()) {
+      session_.notify(Notice::Kind::kError, std::exchange(timeline_.fault, {}));
+    }
   }
   if (places.status.height > 0.0) {
     const auto region = ui.region("Foot", places.status, {.padding = 0.0});
@@ -168,12 +193,8 @@ void GuiWindow::draw_columns(kit::Ui& ui, const WindowPlaces& places, Actions& a
 
 void GuiWindow::draw_left(kit::Ui& ui, Actions& asked) {
   const WindowLayout& layout = session_.view().layout;
-  const Tabs tabs = shown_tabs(kLeftTabs, layout, layout.left_tab);
-  if (const auto chosen = ui.tabs("Tabs", tabs.titles, tabs.chosen)) {
-    asked.emplace_back(actions::ShowPanel{tabs.panels[*chosen], Switch::kOn});
-  }
+  const Panel front = draw_tabs(ui, kLeftTabs, layout, layout.left_tab, asked);
   const auto content = ui.scroll_area("Content");
-  const Panel front = tabs.panels[tabs.chosen];
   if (front == Panel::kLayers) take_wishes(asked, draw_layers(ui, layers_model(session_), layers_));
   if (front == Panel::kRuns) take_wishes(asked, draw_runs(ui, runs_model(session_), runs_));
   if (front == Panel::kBookmarks) {
@@ -184,11 +205,7 @@ void GuiWindow::draw_left(kit::Ui& ui, Actions& asked) {
 
 void GuiWindow::draw_right(kit::Ui& ui, Actions& asked) {
   const WindowLayout& layout = session_.view().layout;
-  const Tabs tabs = shown_tabs(kRightTabs, layout, layout.right_tab);
-  if (const auto chosen = ui.tabs("Tabs", tabs.titles, tabs.chosen)) {
-    asked.emplace_back(actions::ShowPanel{tabs.panels[*chosen], Switch::kOn});
-  }
-  const Panel front = tabs.panels[tabs.chosen];
+  const Panel front = draw_tabs(ui, kRightTabs, layout, layout.right_tab, asked);
   switch (front) {
     case Panel::kMoment: {
       const auto content = ui.scroll_area("Content");

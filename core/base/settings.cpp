@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "core/base/staged_output.h"
+#include "core/base/utf8.h"
 
 namespace nadir {
 
@@ -34,7 +35,12 @@ std::optional<T> exact_value(const TomlNode& node) {
       return static_cast<double>(*whole);
     }
   }
-  return node.template value_exact<T>();
+  if constexpr (std::is_same_v<T, std::string>) {
+    const auto text = node.template value_exact<std::string>();
+    return text ? std::optional(bytes_of_utf8(*text)) : std::nullopt;
+  } else {
+    return node.template value_exact<T>();
+  }
 }
 
 template <typename T>
@@ -183,7 +189,7 @@ Result<std::string> Settings::text_or(std::string_view key, std::string fallback
 Result<std::string> Settings::scalar_as_text(std::string_view key) const {
   const auto node = node_->table.at_path(key);
   if (!node) return fail(ErrorCode::kMalformed, "{}: {} is missing", name_, key);
-  if (node.is_string()) return *node.value<std::string>();
+  if (node.is_string()) return bytes_of_utf8(*node.value<std::string>());
   if (node.is_boolean()) return std::string(*node.value<bool>() ? "true" : "false");
   if (node.is_integer()) return fmt::format("{}", *node.value<std::int64_t>());
   if (node.is_floating_point()) return fmt::format("{}", *node.value<double>());
@@ -191,9 +197,14 @@ Result<std::string> Settings::scalar_as_text(std::string_view key) const {
 }
 
 std::string toml_quoted(std::string_view text) {
+  const std::string whole = utf8_of_bytes(text);
   std::string quoted = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') {
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    const char letter = whole[i];
+    if (whole.compare(i, kByteMark.size(), kByteMark) == 0) {
+      quoted += "\\uFFFF";  // which an editor shows
+      i += kByteMark.size() - 1;
+    } else if (letter == '"' || letter == '\\') {
       quoted += '\\';
       quoted += letter;
     } else if (static_cast<unsigned char>(letter) < 0x20U || letter == 0x7F) {

@@ -59,7 +59,8 @@ class Settings {
   std::string name_;
 };
 
-/// A TOML basic string with quotes and escapes.
+/// A TOML basic string with quotes and escapes. Text may be any bytes, as names of files are: those that are no UTF-8 are
+/// written as utf8_of_bytes() has them, and what reads texts gives the same bytes again.
 [[nodiscard]] std::string toml_quoted(std::string_view text);
 
 /// The nearest of `known` to a misspelt `word` by edit distance, or empty where none is near.

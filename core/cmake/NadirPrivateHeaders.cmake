@@ -31,9 +31,11 @@ set(NADIR_PRIVATE_HEADERS
   core/run/run_schema.h
   core/run/run_start.h
   core/run/sqlite_database.h
+  core/session/action_form.h
   core/session/cache_shelf.h
   core/session/cache_worker.h
   core/session/cursor_order.h
+  core/session/kept_state.h
   core/session/moment_episodes.h
   core/session/moment_tracking.h
   core/session/run_metrics.h

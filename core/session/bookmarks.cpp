@@ -135,6 +135,14 @@ Bookmarks without_bookmark(Bookmarks bookmarks, std::size_t index) {
   return bookmarks;
 }
 
+Bookmarks with_changes(const Bookmarks& bookmarks, const Bookmarks& from, const Bookmarks& to) {
+  const Bookmarks before = sorted(from), after = sorted(to);
+  Bookmarks changed = without(sorted(bookmarks), without(before, after));
+  const Bookmarks added = without(after, before);
+  changed.insert(changed.end(), added.begin(), added.end());
+  return sorted(std::move(changed));
+}
+
 std::optional<std::size_t> next_bookmark(std::span<const Bookmark> bookmarks, double time_s) {
   for (std::size_t i = 0; i < bookmarks.size(); ++i) {
     if (bookmarks[i].time_s > time_s + kSameTimeS) return i;
@@ -173,22 +181,15 @@ Result<Bookmarks> write_bookmarks(const fs::path& run,
   }
   auto there = read_bookmarks(run);
   if (!there) return there;
-  Bookmarks merged = without(*there, without(before, after));
-  const Bookmarks added = without(after, before);
-  merged.insert(merged.end(), added.begin(), added.end());
-  merged = sorted(std::move(merged));
+  Bookmarks merged = with_changes(*there, before, after);
   if (merged == *there) return merged;
   if (merged.empty()) {
     const auto removed = remove_file(path);
     if (!removed) return forward_error(removed);
     return merged;
   }
-  const std::string text = text_of(merged);
-  const auto read_back = Settings::parse(text, path.string()).and_then(bookmarks_from);
-  if (!read_back || *read_back != merged) {
-    return fail(ErrorCode::kInvalidOptions, "{}: a note is no text in UTF-8", path.string());
-  }
-  if (const auto written = write_text_file(path, text); !written) return forward_error(written);
+  const auto written = write_text_file(path, text_of(merged));
+  if (!written) return forward_error(written);
   return merged;
 }
 

@@ -15,7 +15,7 @@ namespace nadir {
 /// A moment or a span of a run that somebody wants to find again.
 struct Bookmark {
   double time_s = 0.0;                 ///< After the run's first step.
-  std::string note;                    ///< UTF-8, may be empty and may have several lines.
+  std::string note;                    ///< May be empty and may have several lines.
   std::optional<double> until_s = {};  ///< End of the span, after time_s; nothing for a moment.
   friend bool operator==(const Bookmark&, const Bookmark&) = default;
 };
@@ -31,6 +31,11 @@ using Bookmarks = std::vector<Bookmark>;
                                               const Bookmark& bookmark);
 /// Without the i-th. @param index  Below the number of bookmarks.
 [[nodiscard]] Bookmarks without_bookmark(Bookmarks bookmarks, std::size_t index);
+
+/// A list to which is done what has made `to` of `from`.
+[[nodiscard]] Bookmarks with_changes(const Bookmarks& bookmarks,
+                                     const Bookmarks& from,
+                                     const Bookmarks& to);
 
 /// Index of the first bookmark after a time, and of the last before it; a bookmark at the very time (to a microsecond) is
 /// passed over. Nothing where there is none.
@@ -53,7 +58,7 @@ using Bookmarks = std::vector<Bookmark>;
 /// @param known  As last read or written by the caller.
 /// @returns what the file holds now.
 /// @errors as read_bookmarks of the file that is there, which is then left as it is; kInvalidOptions: a time that is not
-/// finite, a span that ends before it begins, a note that is no UTF-8 text; kIo.
+/// finite, a span that ends before it begins; kIo.
 [[nodiscard]] Result<Bookmarks> write_bookmarks(const std::filesystem::path& run,
                                                 const Bookmarks& wanted,
                                                 const Bookmarks& known);

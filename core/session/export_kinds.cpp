@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/session/map_parts.h"
 #include "core/session/session.h"
 #include "core/session/typed_path.h"
 
@@ -119,6 +120,34 @@ std::string export_name(const ExportKind& kind, const Session& session) {
   name += "-" + std::string(kind.name);
   if (is_of_a_moment(kind.name)) name += fmt::format("-{:.1f}s", session.playback().time_s);
   return as_file_name(name);
+}
+
+std::vector<std::string> left_out_of_figure(const ExportKind& kind, const ViewState& view) {
+  std::vector<std::string> things;
+  const MapLook& look = view.map;
+  if (kind.name == "moment" || kind.form == ExportKind::Form::kFilm) {
+    if (is_in_sight(look, Layer::kReconstruction)) things.emplace_back("the reconstruction");
+    if (is_in_sight(look, Layer::kErrorSurface)) things.emplace_back("the error surface");
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < view.runs.size(); ++i) {
+      if (view.runs[i].is_shown && static_cast<int>(i) + 1 != view.active_run) ++others;
+    }
+    if (others > 0) things.push_back(fmt::format("{} other run{}", others, others == 1 ? "" : "s"));
+    if (!look.measured_in_enu_m.empty()) things.emplace_back("what is measured");
+  } else if (kind.needs_map && kind.form == ExportKind::Form::kFigure && kind.name != "scene") {
+    if (look.up != MapUp::kNorth) things.emplace_back("the turn of the map");
+  }
+  return things;
+}
+
+std::string left_out_sentence(const ExportKind& kind, const ViewState& view) {
+  const std::vector<std::string> things = left_out_of_figure(kind, view);
+  std::string words;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const bool is_last = i + 1 == things.size();
+    words += (i == 0 ? "" : is_last ? " and " : ", ") + things[i];
+  }
+  return words.empty() ? words : "Not in it: " + words + ".";
 }
 
 std::string export_sentence(const ExportKind& kind,

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/session/action.h"
 #include "core/session/figure_request.h"
@@ -39,6 +40,13 @@ struct ExportKind {
 
 /// "loop-moment-12.5s": run (or map), figure and, where it shows one, the moment. Without ending.
 [[nodiscard]] std::string export_name(const ExportKind& kind, const Session& session);
+
+/// What the window's map shows and the figure does not, in words: "the error surface", "2 other runs". None for what shows no
+/// map, or not that one.
+[[nodiscard]] std::vector<std::string> left_out_of_figure(const ExportKind& kind,
+                                                          const ViewState& view);
+/// "Not in it: the error surface and 2 other runs." Empty: everything is.
+[[nodiscard]] std::string left_out_sentence(const ExportKind& kind, const ViewState& view);
 
 /// What making it will do, in one sentence. @param file  As it is to be shown. @param width_px  Nothing: the figure's own.
 [[nodiscard]] std::string export_sentence(const ExportKind& kind,

@@ -70,13 +70,22 @@ std::map<std::string, WindowLayout> merged_layouts(
   return there;
 }
 
+/// @param read_again  What reading the text gives: one that could not be read must not take the place of one that can.
+template <typename Read>
+Result<void> write_if_readable(const fs::path& file,
+                               const std::string& text,
+                               const Result<Read>& read_again) {
+  if (read_again) return write_text_file(file, text);
+  return fail(ErrorCode::kIo, "{}; what it held before stays", read_again.error().message);
+}
+
 Result<void> save_session(const fs::path& file, const std::string& text) {
   const auto there = text_if_there(file);
   if (there && *there) {
     const auto parsed = parse_view_text(**there, file.string());
     if (!parsed && parsed.error().code == ErrorCode::kUnsupported) return {};
   }
-  return write_text_file(file, text);
+  return write_if_readable(file, text, parse_view_text(text, file.string()));
 }
 
 Result<void> save_preferences(const fs::path& file,
@@ -89,7 +98,8 @@ Result<void> save_preferences(const fs::path& file,
     if (!parsed && parsed.error().code == ErrorCode::kUnsupported) return {};
     if (parsed) there = std::move(*parsed);
   }
-  return write_text_file(file, preferences_text(merged_preferences(there, before, now)));
+  const std::string merged = preferences_text(merged_preferences(there, before, now));
+  return write_if_readable(file, merged, parse_preferences(merged, file.string()));
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ struct Savings {
 };
 
 /// Writes what there is, each file whole or not at all. Of the preferences only what differs from before, for another window
-/// may have written since. A file that a newer version of Nadir wrote is left as it is. @errors kIo.
+/// may have written since. A file that a newer version of Nadir wrote is left as it is, and nothing that could not be read
+/// again takes the place of a file. @errors kIo.
 [[nodiscard]] Result<void> save_files(const std::filesystem::path& folder, const Savings& savings);
 
 /// What one session has changed, done to what another one has written.

@@ -15,7 +15,6 @@ namespace nadir {
 namespace {
 
 constexpr std::size_t kMostLogLines = 10'000;
-constexpr std::size_t kMostNotices = 200;
 
 /// Whether a user has asked for a moment to look at, rather than for another time.
 bool goes_to_moment(const Action& action) {
@@ -56,36 +55,51 @@ Session::Implementation::~Implementation() {
 }
 
 Result<void> Session::Implementation::apply(const Action& action) {
-  KeptState before = kept;
-  const Playback playback_before = playback;
-  const Overlay overlay_before = overlay;
-  const std::string followed_before = followed_run;
+  Standing before = standing();
+  foreign_bookmarks.clear();
   auto done = std::visit([this](const auto& one) { return perform(one); }, action);
   std::string words = action_text(action);
   if (!done) {
-    kept = std::move(before);
-    playback = playback_before;
-    overlay = overlay_before;
-    followed_run = followed_before;
-    wanted_time_s.reset();
+    put_back(std::move(before));
     add_log(fmt::format("# {}: {}", words, done.error().message), {});
     add_notice(Notice::Kind::kError, done.error().message, words);
     return done;
   }
+  for (const ForeignBookmarks& foreign : foreign_bookmarks) {
+    take_foreign(foreign);
+    Bookmarks& bookmarks = before.kept.bookmarks[foreign.run];
+    bookmarks = with_changes(bookmarks, foreign.expected, foreign.found);
+  }
   const std::string key = merge_key(action);
-  add_log(std::move(words), key);
+  // Escape closes what lies over the window, and the shortcut does so again.
+  const bool closes_nothing = std::holds_alternative<actions::ShowOverlay>(action) &&
+                              before.overlay == Overlay::kNone && overlay == Overlay::kNone;
+  if (!closes_nothing) add_log(std::move(words), key);
   // Those have been to the history themselves.
   const bool is_history = std::holds_alternative<actions::Undo>(action) ||
                           std::holds_alternative<actions::Redo>(action);
   if (is_history) {
     reconcile();
   } else {
-    settle(before, change_title(action, kept.view), key);
+    settle(before.kept, change_title(action, kept.view), key);
   }
   if (goes_to_moment(action)) bring_moment_into_view();
   let_go_of_particle();
   request_steps();
   return {};
+}
+
+Standing Session::Implementation::standing() const {
+  return {kept, playback, overlay, followed_run, wanted_time_s, map_wishes};
+}
+
+void Session::Implementation::put_back(Standing before) {
+  kept = std::move(before.kept);
+  playback = before.playback;
+  overlay = before.overlay;
+  followed_run = std::move(before.followed_run);
+  wanted_time_s = before.wanted_time_s;
+  map_wishes = std::move(before.map_wishes);
 }
 
 void Session::Implementation::settle(const KeptState& before,
@@ -116,30 +130,9 @@ void Session::Implementation::poll(double elapsed_s) {
       add_notice(Notice::Kind::kWarning, error.message);
     }
   }
-  constexpr double kInfoShownS =
-      10.0;  // what has gone well is read once, all else stays until it is dismissed
-  if (playback.is_playing || !is_busy()) {  // who waits for work looks elsewhere
-    for (Notice& notice : notices) notice.shown_s += elapsed_s;
-  }
-  std::erase_if(notices, [](const Notice& notice) {
-    return notice.kind == Notice::Kind::kInfo && !notice.remedy && notice.shown_s > kInfoShownS;
-  });
+  if (playback.is_playing || !is_busy()) age_notices(elapsed_s);  // who waits looks elsewhere
   std::erase_if(leaving, [](const auto& has_left) { return has_left(); });
   poll_saving(elapsed_s);
-}
-
-void Session::Implementation::add_notice(Notice notice) {
-  if (!notices.empty()) {  // the same again says nothing new
-    const Notice& last = notices.back();
-    if (last.kind == notice.kind && last.text == notice.text) return;
-  }
-  notice.number = ++last_number;
-  notices.push_back(std::move(notice));
-  if (notices.size() > kMostNotices) notices.erase(notices.begin());
-}
-
-void Session::Implementation::add_notice(Notice::Kind kind, std::string text, std::string details) {
-  add_notice(Notice{0, kind, std::move(text), std::move(details), std::nullopt, {}});
 }
 
 void Session::Implementation::add_log(std::string line, std::string key) {

@@ -28,6 +28,9 @@ struct SessionPlaces {
   std::filesystem::path bundled_map;  ///< The demo's map.
   /// The recipe that a PNG or SVG carries, as text; called from a job's thread. Empty: figures cannot be opened.
   std::function<Result<std::string>(const std::filesystem::path& figure)> recipe_in_figure = {};
+  /// What is open is kept for the next start; else what was open last stays there, whatever is opened now. Preferences are
+  /// kept in any case.
+  bool keeps_session = true;
 };
 
 /// What the map's view has for things that are fitted into it.

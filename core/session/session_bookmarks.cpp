@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bookmarks, notices and the way back.
+// Bookmarks and the way back.
 #include <algorithm>
 #include <utility>
 
@@ -13,8 +13,18 @@ Result<void> Session::Implementation::keep_bookmarks(const std::string& run,
   auto written =
       write_bookmarks(run, wanted, known != kept.bookmarks.end() ? known->second : Bookmarks());
   if (!written) return forward_error(written);
+  if (*written != wanted) foreign_bookmarks.push_back({run, wanted, *written});
   kept.bookmarks[run] = std::move(*written);
   return {};
+}
+
+void Session::Implementation::take_foreign(const ForeignBookmarks& foreign) {
+  if (foreign.expected == foreign.found) return;
+  amend([&foreign](KeptState& state) {
+    const auto known = state.bookmarks.find(foreign.run);
+    if (known == state.bookmarks.end()) return;
+    known->second = with_changes(known->second, foreign.expected, foreign.found);
+  });
 }
 
 Result<void> Session::Implementation::perform(const actions::AddBookmark& action) {
@@ -51,29 +61,6 @@ Result<void> Session::Implementation::perform(const actions::RemoveBookmark& act
                         without_bookmark(now, static_cast<std::size_t>(action.bookmark) - 1));
 }
 
-Result<void> Session::Implementation::perform(const actions::DismissNotice& action) {
-  const auto forget_offer = [this](const Notice& notice) {
-    const auto* const open =
-        notice.remedy ? std::get_if<actions::OpenFile>(&*notice.remedy) : nullptr;
-    if (open != nullptr) settle_unfinished(std::string(open->path));
-  };
-  if (!action.notice) {
-    const std::vector<Notice> dismissed = std::exchange(notices, {});
-    for (const Notice& notice : dismissed) forget_offer(notice);
-    return {};
-  }
-  const auto found = std::find_if(notices.begin(), notices.end(), [&](const Notice& notice) {
-    return notice.number == *action.notice;
-  });
-  if (found == notices.end()) {
-    return fail(ErrorCode::kInvalidOptions, "there is no notice {}", *action.notice);
-  }
-  const Notice dismissed = *found;
-  notices.erase(found);
-  forget_offer(dismissed);
-  return {};
-}
-
 Result<void> Session::Implementation::go_to_state(KeptState state) {
   // Bookmarks are files: those of the other state are written first, for that may fail. Those of runs that have been read
   // since then stay.
@@ -89,6 +76,7 @@ Result<void> Session::Implementation::go_to_state(KeptState state) {
       }
       return forward_error(written);
     }
+    if (*written != wanted) foreign_bookmarks.push_back({run, wanted, *written});
     bookmarks[run] = std::move(*written);
     done.push_back(run);
   }

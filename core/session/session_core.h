@@ -12,21 +12,13 @@
 
 #include "core/base/job.h"
 #include "core/session/history.h"
+#include "core/session/kept_state.h"
 #include "core/session/saved_files.h"
 #include "core/session/session.h"
 #include "core/session/session_works.h"
 #include "core/session/unfinished_runs.h"
 
 namespace nadir {
-
-/// What undo takes back: the view, and what is kept beside it.
-struct KeptState {
-  ViewState view = default_view_state();
-  std::map<std::string, Bookmarks> bookmarks;  ///< By the run's path; only of runs that were read.
-  std::map<std::string, WindowLayout> layouts;
-  int memory_megabytes = 256;
-  friend bool operator==(const KeptState&, const KeptState&) = default;
-};
 
 /// All of a session. Its functions stand in session_*.cpp, by what they are about; perform() does what an action asks for and
 /// may leave things half done where it fails, for apply() then takes everything back.
@@ -70,6 +62,7 @@ struct Session::Implementation {
   std::optional<TimedRun> timed_run;
   std::optional<double> wanted_time_s;  ///< To be set once the active run is settled.
   std::string followed_run;  ///< Path of a run that grows, to whose end the cursor keeps; or empty.
+  std::vector<ForeignBookmarks> foreign_bookmarks;  ///< That the action at work has come upon.
   /// Run and step at which a particle was selected: it is no other step's.
   std::optional<std::pair<std::string, int>> particle_step;
 
@@ -89,10 +82,10 @@ struct Session::Implementation {
 
   // session.cpp
   Result<void> apply(const Action& action);
+  [[nodiscard]] Standing standing() const;
+  void put_back(Standing before);
   void poll(double elapsed_s);
   void settle(const KeptState& before, std::string title, std::string merge_key);
-  void add_notice(Notice notice);
-  void add_notice(Notice::Kind kind, std::string text, std::string details = {});
   void add_log(std::string line, std::string key);
   [[nodiscard]] std::vector<JobStatus> jobs() const;
   [[nodiscard]] bool is_busy() const;
@@ -116,6 +109,15 @@ struct Session::Implementation {
     change(kept);
     history.amend(change, kept, since);
   }
+
+  // session_notices.cpp
+  Result<void> perform(const actions::DismissNotice& action);
+  void add_notice(const Notice& notice);
+  void add_notice(Notice::Kind kind, std::string text, std::string details = {});
+  void forget_notices(const std::function<bool(const Notice&)>& is_one);
+  void age_notices(double elapsed_s);
+  /// A run that was offered was opened, or nobody wants it.
+  void settle_unfinished(const std::string& run);
 
   // session_files.cpp
   Result<void> perform(const actions::OpenFile& action);
@@ -258,10 +260,11 @@ struct Session::Implementation {
   Result<void> perform(const actions::AddBookmark& action);
   Result<void> perform(const actions::EditBookmark& action);
   Result<void> perform(const actions::RemoveBookmark& action);
-  Result<void> perform(const actions::DismissNotice& action);
   Result<void> perform(const actions::Undo& action);
   Result<void> perform(const actions::Redo& action);
   Result<void> keep_bookmarks(const std::string& run, const Bookmarks& wanted);
+  /// Does to all states what another window has done to a file, so that undo does not take that back.
+  void take_foreign(const ForeignBookmarks& foreign);
   Result<void> go_to_state(KeptState state);
 
   // session_keeping.cpp
@@ -279,8 +282,6 @@ struct Session::Implementation {
   [[nodiscard]] Preferences preferences() const;
   [[nodiscard]] Savings changed_since_saving() const;
   void list_what_is_written();
-  /// It was opened, or nobody wants it.
-  void settle_unfinished(const std::string& run);
 };
 
 /// Takes a run out of a view; the one before it is then active where it was.

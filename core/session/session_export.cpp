@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "core/base/staged_output.h"
+#include "core/session/export_kinds.h"
 #include "core/session/figure_request.h"
 #include "core/session/run_table.h"
 #include "core/session/session_core.h"
@@ -100,6 +101,13 @@ Result<void> Session::Implementation::perform(const actions::ExportFigure& actio
     return fail(ErrorCode::kInvalidOptions, "no map is open: open one first");
   }
   if (const auto free = StagedOutput::file(file); !free) return forward_error(free);
+  const ExportKind* const kind = export_kind(request.figure);
+  if (kind != nullptr) {
+    const std::string missing = left_out_sentence(*kind, kept.view);
+    if (!missing.empty()) {
+      add_notice(Notice::Kind::kInfo, file.filename().string() + ": " + missing);
+    }
+  }
   request.map = kept.view.map_path;
   request.time_s = playback.time_s;
   request.look = resolved_look();

@@ -161,6 +161,11 @@ Result<void> Session::Implementation::perform(const actions::SaveNow& /*action*/
   if (places.config.empty()) {
     return fail(ErrorCode::kInvalidOptions, "there is no folder to keep preferences in");
   }
+  if (!places.keeps_session) {
+    add_notice(Notice::Kind::kInfo,
+               "preferences are kept; what is open is not, for what was open last stays for the "
+               "next start");
+  }
   save_soon();
   return {};
 }

@@ -220,7 +220,7 @@ void Session::Implementation::offer_localising() {
                         found != flights.end() && found->second.recording &&
                         can_be_localised(found->second.recording->description());
   if (!is_ready) {
-    std::erase_if(notices, [this](const Notice& notice) { return notice.number == offer_number; });
+    forget_notices([this](const Notice& notice) { return notice.number == offer_number; });
     offer_number = 0;
     offered.clear();
     return;
@@ -228,14 +228,14 @@ void Session::Implementation::offer_localising() {
   const std::string offer = path + "\n" + map->path.string();
   if (offer == offered) return;
   offered = offer;
-  std::erase_if(notices, [this](const Notice& notice) { return notice.number == offer_number; });
+  forget_notices([this](const Notice& notice) { return notice.number == offer_number; });
   const FlightDescription& flight = found->second.recording->description();
   Notice notice;
   notice.text = fmt::format("{} can be localised on {} now, with the settings of the next run",
                             flight.name, map->provenance.name);
   notice.remedy = actions::Rerun{RerunFrom::kFlight};
   notice.remedy_title = "Localise now";
-  add_notice(std::move(notice));
+  add_notice(notice);
   offer_number = last_number;
   WindowLayout& layout = kept.view.layout;
   // Beside a moment that there is not yet.

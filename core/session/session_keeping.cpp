@@ -71,18 +71,8 @@ void Session::Implementation::begin_keeping() {
         "{} was being made when Nadir was ended; what it had recorded until then is there", run);
     notice.remedy = actions::OpenFile{run};
     notice.remedy_title = "Open it";
-    add_notice(std::move(notice));
+    add_notice(notice);
   }
-}
-
-void Session::Implementation::settle_unfinished(const std::string& run) {
-  if (std::erase(unfinished, run) == 0) return;
-  take_off_lists(places.config, run);
-  std::erase_if(notices, [&run](const Notice& notice) {
-    const auto* const open =
-        notice.remedy ? std::get_if<actions::OpenFile>(&*notice.remedy) : nullptr;
-    return open != nullptr && open->path == run;
-  });
 }
 
 void Session::Implementation::list_what_is_written() {
@@ -130,8 +120,10 @@ void Session::Implementation::restore() {
 
 Savings Session::Implementation::changed_since_saving() const {
   Savings savings{std::nullopt, std::nullopt, saved_preferences};
-  std::string text = session_text();
-  if (is_saving_due || text != saved_session) savings.session = std::move(text);
+  if (places.keeps_session) {
+    std::string text = session_text();
+    if (is_saving_due || text != saved_session) savings.session = std::move(text);
+  }
   Preferences now = preferences();
   if (is_saving_due || !(now == saved_preferences)) savings.preferences = std::move(now);
   return savings;
@@ -167,7 +159,7 @@ void Session::Implementation::take_saving(const Result<int>& outcome, const Savi
   if (outcome) {
     if (what.session) saved_session = *what.session;
     if (what.preferences) saved_preferences = *what.preferences;
-    std::erase_if(notices, [](const Notice& notice) {
+    forget_notices([](const Notice& notice) {
       return notice.remedy && std::holds_alternative<actions::SaveNow>(*notice.remedy);
     });
     return;
@@ -178,7 +170,7 @@ void Session::Implementation::take_saving(const Result<int>& outcome, const Savi
   notice.text = "what is open cannot be kept for the next start: " + saving_fault;
   notice.remedy = actions::SaveNow{};
   notice.remedy_title = "Try again";
-  add_notice(std::move(notice));
+  add_notice(notice);
 }
 
 void Session::Implementation::save_soon() {

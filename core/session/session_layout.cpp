@@ -82,10 +82,6 @@ Result<void> Session::Implementation::perform(const actions::SaveLayout& action)
   if (action.name == kDefaultLayout) {
     return fail(ErrorCode::kInvalidOptions, "'default' is always as it is: take another name");
   }
-  // The file of preferences could not be read again, and all of them were lost.
-  if (!Settings::parse("name = " + toml_quoted(action.name), "the name")) {
-    return fail(ErrorCode::kInvalidOptions, "the name of a layout is no text in UTF-8");
-  }
   kept.layouts[action.name] = kept.view.layout;
   return {};
 }

@@ -175,6 +175,10 @@ void Session::Implementation::take_run(std::size_t index) {
   if (read->bookmarks_fault) {
     add_notice(Notice::Kind::kWarning, read->bookmarks_fault->message);
   } else {
+    const auto known = kept.bookmarks.find(path);
+    if (known != kept.bookmarks.end()) {  // it was open before
+      take_foreign({path, known->second, read->bookmarks});
+    }
     run.bookmarks = read->bookmarks;
     kept.bookmarks[path] = std::move(read->bookmarks);
   }

@@ -5,10 +5,41 @@
 #include <system_error>
 
 #include "core/base/settings.h"
+#include "core/session/map_stack.h"
+#include "core/session/map_upward.h"
 #include "core/session/session_core.h"
 
 namespace nadir {
 namespace fs = std::filesystem;
+
+namespace {
+
+/// The map as figure 'moment' shows it; other figures, and those of their own layers, leave it as it is.
+Result<void> take_map_of_moment(const Settings& recipe, MapLook& into) {
+  if (!recipe.has("options.stack")) return {};
+  const auto stack_text = recipe.scalar_as_text("options.stack");
+  if (!stack_text) return forward_error(stack_text);
+  const auto stack = MapStack::from_text(*stack_text);
+  if (!stack) return forward_error(stack);
+  const auto up_text = recipe.has("options.up") ? recipe.scalar_as_text("options.up")
+                                                : Result<std::string>(MapUpward{}.text());
+  if (!up_text) return forward_error(up_text);
+  const auto up = MapUpward::from_text(*up_text);
+  if (!up) return forward_error(up);
+  const auto laid_at =
+      recipe.text_or("options.laid-at", std::string(enum_name(PoseSource::kEstimate)));
+  if (!laid_at) return forward_error(laid_at);
+  into = stack->laid_on(std::move(into));
+  for (std::size_t i = 0; i < EnumNames<PoseSource>::kNames.size(); ++i) {
+    const auto source = static_cast<PoseSource>(i);
+    if (enum_name(source) == *laid_at) into.topview_at = source;
+  }
+  into.up = up->up;
+  into.up_rad = up->up_rad(into.up_rad);
+  return {};
+}
+
+}  // namespace
 
 void Session::Implementation::open_recipe_later(const fs::path& figure) {
   const auto read = places.recipe_in_figure;
@@ -17,15 +48,14 @@ void Session::Implementation::open_recipe_later(const fs::path& figure) {
        Job<int, std::string>([read, figure](const WorkContext& /*context*/,
                                             const auto& /*publish*/) { return read(figure); }),
        [this, figure](const std::string& text) {
-         const KeptState before = kept;
+         Standing before = standing();
          if (const auto opened = open_recipe(text, figure); !opened) {
-           kept = before;
-           wanted_time_s.reset();
+           put_back(std::move(before));
            add_notice(Notice::Kind::kError, opened.error().message);
            return;
          }
          remember(figure.string());
-         settle(before, "Open " + figure.filename().string(), {});
+         settle(before.kept, "Open " + figure.filename().string(), {});
        }});
 }
 
@@ -72,6 +102,9 @@ Result<void> Session::Implementation::open_recipe(std::string_view text, const f
     const auto time_s = recipe->number("options.time");
     if (!time_s) return forward_error(time_s);
     wanted_time_s = std::max(0.0, *time_s);
+  }
+  if (auto shown = take_map_of_moment(*recipe, kept.view.map); !shown) {
+    return forward_error(shown, file.string());
   }
   if (!recipe->has("options.crop")) return {};
   const auto crop = recipe->scalar_as_text("options.crop");

@@ -276,7 +276,7 @@ void Session::Implementation::end_rerun(RerunWork& work) {
     notice.remedy = actions::OpenFile{path};
     notice.remedy_title = "Open it";
   }
-  add_notice(std::move(notice));
+  add_notice(notice);
 }
 
 }  // namespace nadir

@@ -119,7 +119,7 @@ WindowLayout default_layout() {
     const auto strip = static_cast<Strip>(i);
     const bool is_visible = strip == Strip::kPositionError || strip == Strip::kSigma ||
                             strip == Strip::kAgreement || strip == Strip::kNees;
-    layout.strips.push_back({strip, is_visible, 40.0});
+    layout.strips.push_back({strip, is_visible, 35.0});
   }
   return layout;
 }

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/decoded_picture.h"
 #include "tests/support/small_png.h"
 
 namespace nadir {
@@ -71,15 +72,7 @@ double mean_structural_similarity(const cv::Mat& a, const cv::Mat& b) {
 std::optional<Raster<Rgba>> read_png(const std::filesystem::path& path) {
   const cv::Mat image = cv::imread(path.string(), cv::IMREAD_UNCHANGED);
   if (image.type() != CV_8UC3 && image.type() != CV_8UC4) return std::nullopt;  // or empty
-  Raster<Rgba> pixels(image.cols, image.rows);
-  for (int row = 0; row < image.rows; ++row) {
-    const unsigned char* in = image.ptr(row);
-    for (Rgba& pixel : pixels.row(row)) {
-      pixel = {in[2], in[1], in[0], image.channels() == 4 ? in[3] : std::uint8_t{255}};
-      in += image.channels();
-    }
-  }
-  return pixels;
+  return pixels_of_decoded(image);
 }
 
 bool write_png(const std::filesystem::path& path, const Raster<Rgba>& pixels) {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <opencv2/imgcodecs.hpp>
 
+#include "tests/support/decoded_picture.h"
 #include "widgets/canvas/png_file.h"
 
 namespace nadir {
@@ -15,16 +16,7 @@ namespace small_png_test {
 /// As another decoder reads it.
 Raster<Rgba> read_back(const std::string& file) {
   const std::vector<unsigned char> bytes(file.begin(), file.end());
-  const cv::Mat image = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
-  Raster<Rgba> pixels(image.cols, image.rows);
-  for (int row = 0; row < image.rows; ++row) {
-    const unsigned char* in = image.ptr(row);
-    for (Rgba& pixel : pixels.row(row)) {
-      pixel = {in[2], in[1], in[0], image.channels() == 4 ? in[3] : std::uint8_t{255}};
-      in += image.channels();
-    }
-  }
-  return pixels;
+  return pixels_of_decoded(cv::imdecode(bytes, cv::IMREAD_UNCHANGED));
 }
 
 Raster<Rgba> made(int width, int height, const std::function<Rgba(int, int)>& colour) {

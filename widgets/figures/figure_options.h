@@ -5,6 +5,8 @@
 #include <type_traits>
 
 #include "core/base/field.h"
+#include "core/session/map_stack.h"
+#include "core/session/map_upward.h"
 #include "widgets/figures/figure_layers.h"
 #include "widgets/figures/map_crop.h"
 #include "widgets/figures/page_size.h"
@@ -13,7 +15,7 @@
 
 namespace nadir {
 
-/// The pose at which figure 'scene' lays what the camera saw.
+/// The pose at which figures 'scene' and 'moment' lay what was seen.
 enum class LaidAt { kEstimate, kOdometry, kTruth };
 
 template <>
@@ -31,6 +33,8 @@ struct FigureOptions {
   double from_s = 0.0, to_s = 1e9;
   MapCrop crop;
   FigureLayers layers;
+  MapStack stack;
+  MapUpward up;
   double label_opacity = 0.0;
   double ellipse_every_s = 5.0;
   double tick_every_s = 0.0;
@@ -62,6 +66,15 @@ void visit_fields(Options& options, Visitor&& visit) {
               "Shown on maps where they are known: picture, truth, odometry, estimate, "
               "ellipses, modes, particles, topview; all, none, or all but those with a "
               "minus (-particles,-modes)"});
+  visit(options.stack,
+        Field{"stack", "",
+              "Layers of the map in figure 'moment' from the ground up, with opacities and colours "
+              "(picture,topview:0.8,truth#FF8800); wins over layers, label-opacity and "
+              "graticule-lines"});
+  visit(options.up,
+        Field{"up", "",
+              "What is up on the map in figure 'moment': north, the estimate's heading, "
+              "or a compass course in degrees"});
   visit(options.label_opacity,
         Field{"label-opacity", "", "Of the labels over the picture; 0 shows none", 0, 1});
   visit(options.ellipse_every_s,
@@ -72,7 +85,7 @@ void visit_fields(Options& options, Visitor&& visit) {
   visit(options.shows_graticule_lines,
         Field{"graticule-lines", "", "Thin lines across maps at those coordinates"});
   visit(options.laid_at,
-        Field{"laid-at", "", "Pose at which figure 'scene' lays what the camera saw"});
+        Field{"laid-at", "", "Pose at which figures 'scene' and 'moment' lay what was seen"});
   visit(options.fps, Field{"fps", "1/s", "Frames per second of a film", 1, 120});
   visit(options.speed, Field{"speed", "", "Flight seconds per second of film", 0.01, 1000});
 }

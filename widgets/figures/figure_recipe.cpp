@@ -142,7 +142,11 @@ std::string recipe_text(const FigureRecipe& recipe) {
 }
 
 bool shows_picture(const FigureRecipe& recipe) {
-  return recipe.figure != "labels" && recipe.options.layers.has(FigureLayer::kPicture);
+  const FigureOptions& options = recipe.options;
+  if (recipe.figure == "moment" && !options.stack.is_own()) {
+    return options.stack.has(Layer::kPicture);
+  }
+  return recipe.figure != "labels" && options.layers.has(FigureLayer::kPicture);
 }
 
 std::vector<std::string> changed_inputs(const FigureRecipe& recipe, const InputHashes& now) {

@@ -102,6 +102,18 @@ std::optional<Rigid2> pose_of(const RunStep& step, Source source) {
   return mean;
 }
 
+Source source_of(LaidAt laid_at) {
+  switch (laid_at) {
+    case LaidAt::kOdometry:
+      return Source::kOdometry;
+    case LaidAt::kTruth:
+      return Source::kTruth;
+    case LaidAt::kEstimate:
+      break;
+  }
+  return Source::kEstimate;
+}
+
 std::vector<Eigen::Vector2d> path_of(const FigureRun& run, Source source) {
   std::vector<Eigen::Vector2d> points;
   points.reserve(run.steps.size());

@@ -47,5 +47,7 @@ enum class Source { kTruth, kOdometry, kEstimate };
 [[nodiscard]] std::vector<Eigen::Vector2d> path_of(const FigureRun& run, Source source);
 /// Pose of a step from one source. Nothing where not known.
 [[nodiscard]] std::optional<Rigid2> pose_of(const RunStep& step, Source source);
+/// Whose pose what was seen is laid at.
+[[nodiscard]] Source source_of(LaidAt laid_at);
 
 }  // namespace nadir

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/figures/map_panel.h"
 
-#include <vtkProp.h>
-#include <vtkPropCollection.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/map/overhead_map_file.h"
 #include "widgets/figures/page_layout.h"
-#include "widgets/views/map_furniture.h"
 
 namespace nadir {
 namespace {
@@ -21,18 +16,6 @@ Eigen::AlignedBox2d bounds_of(const OverheadTiles& tiles) {
   const Eigen::Vector2d top_left = tiles.top_left_in_enu_m();
   return {Eigen::Vector2d(top_left.x(), top_left.y() - size_m.y()),
           Eigen::Vector2d(top_left.x() + size_m.x(), top_left.y())};
-}
-
-/// Grows whenever something in the scene is changed, added or taken away.
-std::uint64_t stamp_of(vtkRenderer& renderer) {
-  std::uint64_t stamp = renderer.GetViewProps()->GetMTime();
-  vtkPropCollection& props = *renderer.GetViewProps();
-  vtkCollectionSimpleIterator place;
-  props.InitTraversal(place);
-  while (vtkProp* const prop = props.GetNextProp(place)) {
-    stamp = std::max<std::uint64_t>({stamp, prop->GetMTime(), prop->GetRedrawMTime()});
-  }
-  return stamp;
 }
 
 }  // namespace
@@ -46,20 +29,20 @@ Result<std::unique_ptr<MapPanel>> MapPanel::create(const std::filesystem::path& 
   if (!labels) return forward_error(labels);
   std::unique_ptr<MapPanel> panel(new MapPanel(*plane, bounds_of(*labels), options));
   std::error_code error;
-  const bool has_picture = std::filesystem::exists(package / "image.tif", error);
-  panel->shows_picture_ =
-      ground == Ground::kPicture && options.layers.has(FigureLayer::kPicture) && has_picture;
+  panel->has_picture_ = std::filesystem::exists(package / "image.tif", error);
+  panel->shows_picture_ = ground == Ground::kPicture && options.layers.has(FigureLayer::kPicture) &&
+                          panel->has_picture_;
   if (panel->shows_picture_) {
     auto picture = OverheadTiles::open(package, OverheadTiles::Layer::kPicture);
     if (!picture) return forward_error(picture);
-    panel->layers_.push_back(std::make_unique<OverheadView>(panel->scene_, std::move(*picture),
-                                                            OverheadTiles::Layer::kPicture));
+    panel->picture_ = std::make_unique<OverheadView>(panel->scene_, std::move(*picture),
+                                                     OverheadTiles::Layer::kPicture);
   }
   const double opacity = panel->shows_picture_ ? options.label_opacity : 1.0;
   if (opacity > 0.0) {
-    panel->layers_.push_back(std::make_unique<OverheadView>(panel->scene_, std::move(*labels),
-                                                            OverheadTiles::Layer::kLabels));
-    panel->layers_.back()->set_opacity(opacity);
+    panel->labels_ = std::make_unique<OverheadView>(panel->scene_, std::move(*labels),
+                                                    OverheadTiles::Layer::kLabels);
+    panel->labels_->set_opacity(opacity);
   }
   return panel;
 }
@@ -79,8 +62,22 @@ void MapPanel::include_map() { shown_.extend(bounds_); }
 
 void MapPanel::fade_labels() {
   constexpr double kFaded = 0.35;
-  if (!shows_picture_ && !layers_.empty()) layers_.back()->set_opacity(kFaded);
+  if (!shows_picture_ && labels_) labels_->set_opacity(kFaded);
 }
+
+void MapPanel::set_picture(bool is_visible, double opacity) {
+  if (!picture_) return;
+  picture_->set_visible(is_visible);
+  picture_->set_opacity(opacity);
+}
+
+void MapPanel::set_labels(bool is_visible, double opacity) {
+  if (!labels_) return;
+  labels_->set_visible(is_visible);
+  labels_->set_opacity(opacity);
+}
+
+bool MapPanel::is_turned() const { return std::abs(up_rad_ - MapCamera{}.up_rad) > 1e-9; }
 
 void MapPanel::show_square(const Eigen::Vector2d& centre_in_enu_m, double side_m) {
   if (!centre_in_enu_m.allFinite()) {
@@ -101,11 +98,14 @@ MapCamera MapPanel::camera_for(const PageRect& where) const {
     MapCamera camera;
     camera.centre_in_enu_m = options_.crop.centre_in_enu_m.value_or(shown.center());
     camera.metres_per_px = options_.crop.width_m / where.width;
+    camera.up_rad = up_rad_;
     return camera;
   }
   // Paths keep away from the border; the map as a whole fills the panel.
   const double margin = shows_whole_map() ? 0.0 : 0.08;
-  return MapCamera::fit(shown.min(), shown.max(), where, margin);
+  MapCamera camera = MapCamera::fit(shown.min(), shown.max(), where, margin);
+  camera.up_rad = up_rad_;
+  return camera;
 }
 
 PageRect MapPanel::frame_inside(const PageRect& where, Graticule graticule, double px) const {
@@ -139,37 +139,11 @@ PageRect MapPanel::part_filled(const PageRect& panel,
   return {panel.left, panel.bottom + std::floor(spare / 2.0), panel.width, panel.height - spare};
 }
 
-Result<void> MapPanel::render(FigureContext& context, const GroundState& wanted) {
-  const bool is_where_it_was = drawn_ == wanted;
-  if (is_where_it_was && content_stamp_ == stamp_of(scene_.renderer())) return {};
-  drawn_.reset();  // for after a fault below other tiles are shown than those of the pixels
-  MapCamera close = wanted.camera;  // tiles as fine as the supersampled pixels
-  close.metres_per_px /= wanted.supersampling;
-  // Tiles are shown and hidden by this, which is a change for VTK, so only where others may be in sight.
-  for (std::size_t i = 0; !is_where_it_was && i < layers_.size(); ++i) {
-    auto updated =
-        layers_[i]->update(close, wanted.width * wanted.supersampling,
-                           wanted.height * wanted.supersampling, std::numeric_limits<int>::max());
-    if (!updated) return forward_error(updated);
-  }
-  scene_.look({close, 1.0 * wanted.width * wanted.supersampling,
-               1.0 * wanted.height * wanted.supersampling,
-               wanted.px_per_pt * wanted.supersampling});
-  scene_.set_background(wanted.background, wanted.is_transparent);
-  const auto renderer = context.renderer();
-  if (!renderer) return forward_error(renderer);
-  auto pixels =
-      (*renderer)->render(scene_.renderer(), wanted.width, wanted.height, wanted.supersampling);
-  if (!pixels) return forward_error(pixels);
-  pixels_ = std::move(*pixels);
-  drawn_ = wanted;
-  content_stamp_ = stamp_of(scene_.renderer());
-  return {};
-}
-
 void MapPanel::keep_on_map(MapFrame& frame) const {
   // What lies beside the map is shown only where something to be shown does.
-  if (!options_.crop.is_all() || shown_.isEmpty() || !bounds_.contains(shown_)) return;
+  if (is_turned() || !options_.crop.is_all() || shown_.isEmpty() || !bounds_.contains(shown_)) {
+    return;
+  }
   PageRect& where = frame.where;
   MapCamera& camera = frame.camera;
   const Eigen::Vector2d map_px = bounds_.sizes() / camera.metres_per_px;
@@ -186,56 +160,18 @@ void MapPanel::keep_on_map(MapFrame& frame) const {
   camera.centre_in_enu_m = camera.centre_in_enu_m.cwiseMax(low).cwiseMin(high);
 }
 
-Result<MapFrame> MapPanel::draw_ground(Canvas& canvas,
-                                       FigureContext& context,
-                                       const PageRect& where) {
-  const PageFormat& format = context.format();
-  const double px = format.px_per_pt();
-  Graticule graticule = options_.graticule;
-  PageRect inside = frame_inside(where, graticule, px);
+MapPanel::Place MapPanel::place_in(const PageRect& where, double px_per_pt) const {
+  Place place;
+  place.graticule = is_turned() ? Graticule::kNone : options_.graticule;
+  PageRect inside = frame_inside(where, place.graticule, px_per_pt);
   constexpr double kLeastWithNumbersPt = 48.0;
-  if (std::min(inside.width, inside.height) < kLeastWithNumbersPt * px) {
-    graticule = Graticule::kNone;
-    inside = frame_inside(where, graticule, px);
+  if (std::min(inside.width, inside.height) < kLeastWithNumbersPt * px_per_pt) {
+    place.graticule = Graticule::kNone;
+    inside = frame_inside(where, place.graticule, px_per_pt);
   }
-  MapFrame frame{inside, camera_for(inside), px};
-  keep_on_map(frame);
-  // A picture is smooth by itself; the edges of cells and marks are not.
-  const bool has_edges = !shows_picture_ || scene_.holds_above(MapLayer::kPicture);
-  auto rendered =
-      render(context, {frame.camera, static_cast<int>(frame.where.width),
-                       static_cast<int>(frame.where.height), has_edges ? context.supersampling : 1,
-                       px, format.colours().page, format.is_transparent});
-  if (!rendered) return forward_error(rendered);
-  canvas.image(frame.where, pixels_);
-  if (options_.shows_graticule_lines) {
-    draw_graticule_lines(canvas, frame, graticule, plane_, format.colours());
-  }
-  draw_graticule(canvas, frame, graticule, plane_, format.colours());
-  draw_frame(canvas, format, frame.where);
-  return frame;
-}
-
-void MapPanel::draw_furniture(Canvas& canvas,
-                              const PageFormat& format,
-                              const MapFrame& frame,
-                              std::span<const PageRect> taken) const {
-  const double px = frame.px_per_pt;
-  const PageRect& where = frame.where;
-  const auto has_room = [&](double least_width, double least_height, const PageRect& needed) {
-    return where.width >= least_width * px && where.height >= least_height * px &&
-           std::none_of(taken.begin(), taken.end(),
-                        [&needed](const PageRect& other) { return overlap(needed, other); });
-  };
-  const double bar_px = std::max(where.width / 4.0, 24.0 * px) + 14.0 * px;
-  const double arrow_px = 28.0 * px;
-  if (has_room(64.0, 40.0, {where.left, where.bottom, bar_px, 24.0 * px})) {
-    draw_scale_bar(canvas, frame, format.colours());
-  }
-  if (has_room(96.0, 64.0,
-               {where.right() - arrow_px, where.top() - arrow_px, arrow_px, arrow_px})) {
-    draw_north_arrow(canvas, frame, format.colours());
-  }
+  place.frame = {inside, camera_for(inside), px_per_pt};
+  keep_on_map(place.frame);
+  return place;
 }
 
 PathLook truth_look(const Theme& theme) {

@@ -7,10 +7,12 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/geo/project_plane.h"
 #include "widgets/figures/figure_options.h"
 #include "widgets/figures/page.h"
+#include "widgets/views/map_grid.h"
 #include "widgets/views/map_overlays.h"
 #include "widgets/views/overhead_view.h"
 
@@ -32,6 +34,8 @@ class MapPanel {
   [[nodiscard]] const Eigen::AlignedBox2d& map_bounds_in_enu_m() const { return bounds_; }
   /// Whether the ground is labels: then lines need other colours than over a picture.
   [[nodiscard]] bool shows_picture() const { return shows_picture_; }
+  /// Whether the map has one, shown or not.
+  [[nodiscard]] bool has_picture() const { return has_picture_; }
 
   /// What the panel has to show, enu metres; the crop of the options wins over it. Points that are not finite do not count.
   void include(std::span<const Eigen::Vector2d> points_in_enu_m);
@@ -41,6 +45,12 @@ class MapPanel {
   /// Forgets what was included before: a map that goes with the vehicle shows only what is around it. The
   /// whole map where the centre is not finite.
   void show_square(const Eigen::Vector2d& centre_in_enu_m, double side_m);
+
+  /// What is up from now on, counter-clockwise from east; a map that is turned has no coordinates at its border.
+  void turn(double up_rad) { up_rad_ = up_rad; }
+  /// How the ground's own layers are seen; a picture that the panel does not show stays away.
+  void set_picture(bool is_visible, double opacity);
+  void set_labels(bool is_visible, double opacity);
 
   /// The part of a panel that the whole map fills with its coordinates and with so many pixels above it, in the panel's
   /// middle; all of it where something else than the whole map is shown.
@@ -55,6 +65,27 @@ class MapPanel {
   [[nodiscard]] Result<MapFrame> draw_ground(Canvas& canvas,
                                              FigureContext& context,
                                              const PageRect& where);
+
+  // Or one after the other, where lines lie between parts of the ground.
+  /// Where the map lies, and which coordinates have room around it.
+  struct Place {
+    MapFrame frame;
+    Graticule graticule = Graticule::kNone;
+  };
+  [[nodiscard]] Place place_in(const PageRect& where, double px_per_pt) const;
+  /// Some layers of the ground, over what is drawn already. @param layers  Empty: all. @errors as draw_ground().
+  [[nodiscard]] Result<void> draw_part(Canvas& canvas,
+                                       FigureContext& context,
+                                       const MapFrame& frame,
+                                       std::span<const MapLayer> layers,
+                                       bool is_lowest);
+  /// Thin lines across the map. @param look  Of a map that is turned, whose lines have their numbers with them.
+  void draw_lines(Canvas& canvas,
+                  const PageFormat& format,
+                  const Place& place,
+                  const MapGridLook& look) const;
+  void draw_border(Canvas& canvas, const PageFormat& format, const Place& place) const;
+
   /// Scale bar and north arrow, after everything else; neither over a map that it would hide nor over what is taken.
   void draw_furniture(Canvas& canvas,
                       const PageFormat& format,
@@ -69,6 +100,7 @@ class MapPanel {
     double px_per_pt = 1.0;
     Rgba background;
     bool is_transparent = false;
+    std::vector<MapLayer> layers = {};  ///< That are drawn alone; none: all.
     friend bool operator==(const GroundState&, const GroundState&) = default;
   };
 
@@ -78,18 +110,20 @@ class MapPanel {
   [[nodiscard]] bool shows_whole_map() const;
   [[nodiscard]] MapCamera camera_for(const PageRect& where) const;
   [[nodiscard]] PageRect frame_inside(const PageRect& where, Graticule graticule, double px) const;
+  [[nodiscard]] bool is_turned() const;
   void keep_on_map(MapFrame& frame) const;
   [[nodiscard]] Result<void> render(FigureContext& context, const GroundState& wanted);
 
   ProjectPlane plane_;
   Eigen::AlignedBox2d bounds_;
   FigureOptions options_;
-  bool shows_picture_ = false;
+  bool shows_picture_ = false, has_picture_ = false;
+  double up_rad_ = MapCamera{}.up_rad;
   Eigen::AlignedBox2d shown_;
   MapScene scene_;
-  std::vector<std::unique_ptr<OverheadView>> layers_;
-  std::optional<GroundState> drawn_;  ///< What pixels_ show, if anything, with ...
-  std::uint64_t content_stamp_ = 0;   ///< ... what then lay in the scene.
+  std::unique_ptr<OverheadView> picture_, labels_;  ///< Null: not shown.
+  std::optional<GroundState> drawn_;                ///< What pixels_ show, if anything, with ...
+  std::uint64_t content_stamp_ = 0;                 ///< ... what then lay in the scene.
   Raster<Rgba> pixels_;
 };
 

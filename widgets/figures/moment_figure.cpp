@@ -3,46 +3,37 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "core/map/overhead_map_file.h"
 #include "widgets/figures/chart_panel.h"
+#include "widgets/figures/moment_map.h"
 #include "widgets/figures/moment_panels.h"
 #include "widgets/figures/page_layout.h"
 #include "widgets/figures/run_lines.h"
 #include "widgets/figures/run_on_map.h"
 #include "widgets/figures/timed_figure.h"
 #include "widgets/views/agreement_view.h"
-#include "widgets/views/mode_marks.h"
-#include "widgets/views/particle_view.h"
-#include "widgets/views/raster_pictures.h"
-#include "widgets/views/raster_view.h"
 
 namespace nadir {
 namespace {
 
 constexpr double kGapPt = 10.0;
 
-class Moment : public TimedFigure {
+class MomentFigure : public TimedFigure {
  public:
-  Moment(std::unique_ptr<MapPanel> map, OverheadMap labels, FigureInputs inputs)
+  MomentFigure(std::unique_ptr<MomentMap> map, OverheadMap labels, FigureInputs inputs)
       : TimedFigure(std::move(inputs)),
         map_(std::move(map)),
         labels_(std::move(labels)),
-        camera_(run()),
-        particles_(map_->scene()),
-        topview_(map_->scene(), MapLayer::kTopview) {
-    map_->fade_labels();
-  }
+        camera_(run()) {}
 
   Result<void> draw(Canvas& canvas, FigureContext& context) override {
+    const PageFormat& format = context.format();
+    if (theme_ != format.theme) step_.reset();  // what is laid on the map has the theme's colours
+    theme_ = format.theme;
     if (auto read = read_shown_step(); !read) return read;
     const RunStep& step = *step_;
-    const PageFormat& format = context.format();
     const double px = format.px_per_pt();
-    if (theme_ != format.theme) bars_.reset();
-    theme_ = format.theme;
     const auto bars =
         agreement_ ? agreement_bars(*agreement_, format.colours()) : std::optional<ChartSpec>();
     PageRect rest = page_inside(format);
@@ -78,50 +69,8 @@ class Moment : public TimedFigure {
     agreement_ = moment_agreement(*step_, labels_);
     classes_ = patch_legend(*step_, labels_);
     bars_.reset();
-    lay_on_map(*step_);
+    map_->show(*step_, labels_, theme(theme_));
     return {};
-  }
-
-  void lay_on_map(const RunStep& step) {
-    // Room for the topview, the truth and three deviations around the estimate.
-    constexpr double kLeastSideM = 50.0;
-    const Eigen::Vector2d centre = step.estimate.moments.mean.translation_m();
-    const Eigen::Matrix3d& covariance = step.estimate.moments.covariance;
-    double reach_m = 0.0;
-    const auto reach = [&reach_m](double length_m) {
-      if (std::isfinite(length_m)) reach_m = std::max(reach_m, length_m);
-    };
-    reach(3.0 * std::sqrt(covariance(0, 0) + covariance(1, 1)));
-    if (step.truth_in_enu) reach((step.truth_in_enu->translation_m() - centre).norm());
-    const Eigen::Vector2d size_m = map_->map_bounds_in_enu_m().sizes();
-    map_->show_square(centre, std::min(std::max(kLeastSideM, 2.5 * reach_m), size_m.maxCoeff()));
-    const bool has_particles = shows_particles(step);
-    particles_.set_visible(has_particles);
-    if (has_particles) particles_.show(*step.particles);
-    const bool has_topview = shows_topview(step);
-    topview_.set_visible(has_topview);
-    if (!has_topview) return;
-    const TopviewRaster raster = topview_raster(*step.topview);
-    const double cell_m = step.topview->metres_per_cell;
-    topview_.show(class_picture(raster.labels),
-                  enu_from_topview_corner(step.estimate.moments.mean, raster, cell_m),
-                  Eigen::Vector2d::Constant(cell_m), false);
-    topview_.set_opacity(0.8);
-  }
-
-  [[nodiscard]] bool shows_particles(const RunStep& step) const {
-    return options().layers.has(FigureLayer::kParticles) && step.particles.has_value();
-  }
-  [[nodiscard]] bool shows_topview(const RunStep& step) const {
-    return options().layers.has(FigureLayer::kTopview) && step.topview &&
-           !step.topview->cells.empty() && is_finite(step.estimate.moments.mean);
-  }
-  /// With the layer of modes all of them, else only the heaviest.
-  [[nodiscard]] std::span<const PoseMode> shown_modes(const RunStep& step) const {
-    const std::span<const PoseMode> modes = step.estimate.modes;
-    return options().layers.has(FigureLayer::kModes)
-               ? modes
-               : modes.first(std::min<std::size_t>(modes.size(), 1));
   }
 
   Result<void> draw_map(Canvas& canvas,
@@ -131,59 +80,7 @@ class Moment : public TimedFigure {
     const PageFormat& format = context.format();
     if (!least_map(format).fits_in(panel)) return {};
     draw_caption(canvas, format, panel, "(a) over the overhead");
-    const auto frame = map_->draw_ground(canvas, context, panel);
-    if (!frame) return forward_error(frame);
-    canvas.push_clip(frame->where);
-    draw_lines(canvas, *frame, step, format.colours());
-    canvas.pop_clip();
-    std::vector<PageRect> plates;
-    if (shown_modes(step).size() > 1) {
-      for (const auto& plate :
-           mode_plates(*frame, shown_modes(step), mode_look(format.colours()))) {
-        if (plate) plates.push_back(*plate);
-      }
-    }
-    map_->draw_furniture(canvas, format, *frame, plates);
-    return {};
-  }
-
-  void draw_lines(Canvas& canvas,
-                  const MapFrame& frame,
-                  const RunStep& step,
-                  const Theme& theme) const {
-    constexpr std::array<double, 3> kSigmas = {3.0, 2.0, 1.0};
-    constexpr std::array<Source, 3> kSources = {Source::kOdometry, Source::kTruth,
-                                                Source::kEstimate};
-    for (const Source source : kSources) {
-      if (!options().layers.has(layer_of(source))) continue;
-      std::vector<Eigen::Vector2d> path = path_of(run(), source);
-      path.resize(index() + 1);
-      draw_path(canvas, frame, path, look_of(source, theme));
-    }
-    if (options().layers.has(FigureLayer::kEllipses)) {
-      PathLook thin = estimate_look(theme);
-      thin.width_pt = 0.9;
-      for (const PoseMode& mode : shown_modes(step)) {
-        draw_ellipses(canvas, frame, mode.moments.mean.translation_m(),
-                      mode.moments.covariance.topLeftCorner<2, 2>(), kSigmas, thin);
-      }
-    }
-    for (const Source source : kSources) {
-      const auto pose = pose_of(step, source);
-      if (!pose || !options().layers.has(layer_of(source))) continue;
-      draw_pose(canvas, frame, *pose, 10.0, look_of(source, theme));
-    }
-    if (shown_modes(step).size() > 1) {
-      draw_modes(canvas, frame, shown_modes(step), mode_look(theme));
-    }
-  }
-
-  [[nodiscard]] static ModeLook mode_look(const Theme& theme) {
-    ModeLook look;
-    look.arrow = estimate_look(theme);
-    look.plate = with_opacity(theme.page, 0.85);
-    look.words.colour = theme.text;
-    return look;
+    return map_->draw(canvas, context, panel, run(), index() + 1, step);
   }
 
   /// The camera's picture above the topview and what the map has in its place.
@@ -224,15 +121,22 @@ class Moment : public TimedFigure {
                                                 const RunStep& step,
                                                 bool has_bars) const {
     std::vector<LegendEntry> entries = source_legend(run(), options(), theme);
+    for (LegendEntry& entry : entries) {
+      const Layer layer = entry.name == "truth"      ? Layer::kTruth
+                          : entry.name == "estimate" ? Layer::kEstimate
+                                                     : Layer::kOdometry;
+      entry.colour = map_->line_look(layer, theme).colour;
+    }
     const auto has_ellipses = [](const PoseMode& mode) {
       return mode.moments.covariance.topLeftCorner<2, 2>().allFinite();
     };
-    const std::span<const PoseMode> modes = shown_modes(step);
+    const std::span<const PoseMode> modes = map_->shown_modes(step);
     if (options().layers.has(FigureLayer::kEllipses) &&
         std::any_of(modes.begin(), modes.end(), has_ellipses)) {
       entries.push_back(ellipse_legend("ellipses: 1, 2 and 3 sigma", 1, theme));
+      entries.back().colour = map_->line_look(Layer::kEllipses, theme).colour;
     }
-    if (shows_particles(step)) entries.push_back(particle_legend());
+    if (map_->shows_particles(step)) entries.push_back(particle_legend());
     entries.insert(entries.end(), classes_.begin(), classes_.end());
     if (agreement_) {
       for (const LegendEntry& entry : agreement_legend(agreement_->at_estimate, theme)) {
@@ -249,15 +153,15 @@ class Moment : public TimedFigure {
   }
 
   [[nodiscard]] std::string words(const RunStep& step) const {
-    return fmt::format("{:.1f} s after the start{} · {}", run().elapsed_s(step), belief_words(step),
-                       foot_of(run()));
+    const std::string missing = not_in_moment(options().stack);
+    return fmt::format(
+        "{:.1f} s after the start{} · {}{}", run().elapsed_s(step), belief_words(step),
+        missing.empty() ? "" : fmt::format("the map is without {} · ", missing), foot_of(run()));
   }
 
-  std::unique_ptr<MapPanel> map_;  ///< Before the views, which lie in its scene.
+  std::unique_ptr<MomentMap> map_;
   OverheadMap labels_;
   CameraPictures camera_;
-  ParticleView particles_;
-  RasterView topview_;
   std::optional<RunStep> step_;  ///< The one of shown_index_, as it lies on the map.
   std::size_t shown_index_ = 0;
   std::optional<MomentAgreement> agreement_;
@@ -271,10 +175,10 @@ class Moment : public TimedFigure {
 Result<std::unique_ptr<Figure>> make_moment(FigureInputs inputs) {
   auto labels = read_overhead_map(inputs.map);
   if (!labels) return forward_error(labels);
-  // Close around the vehicle unless the user chose another crop.
-  auto panel = MapPanel::create(inputs.map, MapPanel::Ground::kPicture, inputs.options);
-  if (!panel) return forward_error(panel);
-  return std::make_unique<Moment>(std::move(*panel), std::move(*labels), std::move(inputs));
+  inputs.options = with_stack_applied(std::move(inputs.options));
+  auto map = MomentMap::create(inputs.map, inputs.options);
+  if (!map) return forward_error(map);
+  return std::make_unique<MomentFigure>(std::move(*map), std::move(*labels), std::move(inputs));
 }
 
 }  // namespace nadir

@@ -25,18 +25,6 @@ constexpr double kFrustumDepthM = 12.0;
 /// Red: neither a line of a run nor a class of the ground has it.
 Rgba camera_colour(const Theme& theme) { return theme.bad; }
 
-Source source_of(LaidAt laid_at) {
-  switch (laid_at) {
-    case LaidAt::kOdometry:
-      return Source::kOdometry;
-    case LaidAt::kTruth:
-      return Source::kTruth;
-    case LaidAt::kEstimate:
-      break;
-  }
-  return Source::kEstimate;
-}
-
 /// A trajectory on the ground with its casing, and an arrow where it ends.
 class GroundPath {
  public:
@@ -252,16 +240,16 @@ class Scene : public TimedFigure {
 Result<std::unique_ptr<Figure>> make_scene(FigureInputs inputs) {
   auto flight = FlightMoments::open(inputs.runs.front());
   if (!flight) return forward_error(flight);
-  using Layer = OverheadTiles::Layer;
+  using GroundLayer = OverheadTiles::Layer;
   const FigureOptions& options = inputs.options;
   std::error_code error;
   const bool shows_picture = options.layers.has(FigureLayer::kPicture) &&
                              std::filesystem::exists(inputs.map / "image.tif", error);
-  std::vector<Layer> layers;
-  if (shows_picture) layers.push_back(Layer::kPicture);
-  if (!shows_picture || options.label_opacity > 0.0) layers.push_back(Layer::kLabels);
+  std::vector<GroundLayer> layers;
+  if (shows_picture) layers.push_back(GroundLayer::kPicture);
+  if (!shows_picture || options.label_opacity > 0.0) layers.push_back(GroundLayer::kLabels);
   std::vector<OverheadTiles> ground;
-  for (const Layer layer : layers) {
+  for (const GroundLayer layer : layers) {
     auto tiles = OverheadTiles::open(inputs.map, layer);
     if (!tiles) return forward_error(tiles);
     ground.push_back(std::move(*tiles));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "widgets/panels/empty_state.h"
 #include "widgets/panels/panel_text.h"
@@ -12,10 +13,12 @@
 namespace nadir {
 namespace {
 
-constexpr std::size_t kCommandsShown = 13, kArgumentsShown = 11;
+constexpr double kPaletteRow = 28.0, kLineBelow = 24.0;  // of the design
 
-[[nodiscard]] std::size_t rows_shown(const PaletteState& state) {
-  return state.begun.empty() ? kCommandsShown : kArgumentsShown;
+/// Whole rows that have room here, above a line that tells how many there are more.
+[[nodiscard]] std::size_t rows_with_room(const kit::Ui& ui) {
+  const double room = ui.room().height - ui.px(kLineBelow);
+  return static_cast<std::size_t>(std::max(1.0, std::floor(room / ui.px(kPaletteRow))));
 }
 
 /// A line of the list: what it shows, and what it does.
@@ -119,14 +122,10 @@ void move_highlight(const kit::Ui& ui, std::size_t count, PaletteState& state) {
   };
   if (ui.is_pressed("Down", true)) go((before + 1) % count);
   if (ui.is_pressed("Up", true)) go((before + count - 1) % count);
-  const std::size_t shown = rows_shown(state);
+  const std::size_t shown = state.rows_shown;
   if (ui.is_pressed("Page Down", true)) go(std::min(before + shown, count - 1));
   if (ui.is_pressed("Page Up", true)) go(before - std::min(before, shown));
   state.highlighted = std::min(state.highlighted, count - 1);
-  if (state.highlighted < state.first_shown) state.first_shown = state.highlighted;
-  if (state.highlighted >= state.first_shown + shown) {
-    state.first_shown = state.highlighted + 1 - shown;
-  }
 }
 
 /// The rows in sight. While arguments are typed none is highlighted before the arrows were used: Enter takes what was typed.
@@ -134,7 +133,12 @@ void move_highlight(const kit::Ui& ui, std::size_t count, PaletteState& state) {
                                 const std::vector<PaletteRow>& rows,
                                 PaletteState& state) {
   Actions asked;
-  const std::size_t end = std::min(rows.size(), state.first_shown + rows_shown(state));
+  state.rows_shown = rows_with_room(ui);
+  state.first_shown = std::min(state.first_shown, state.highlighted);
+  if (state.highlighted >= state.first_shown + state.rows_shown) {
+    state.first_shown = state.highlighted + 1 - state.rows_shown;
+  }
+  const std::size_t end = std::min(rows.size(), state.first_shown + state.rows_shown);
   for (std::size_t i = std::min(state.first_shown, end); i < end; ++i) {
     kit::ListRow look = rows[i].look;
     look.is_selected = i == state.highlighted && (state.begun.empty() || state.has_moved);

@@ -27,6 +27,7 @@ struct PaletteState {
   std::string begun = {};      ///< "export": a command that asks for arguments; empty: none yet.
   std::string arguments = {};  ///< Typed for that.
   std::size_t highlighted = 0, first_shown = 0;  ///< Row that Enter takes, and uppermost row.
+  std::size_t rows_shown = 13;                   ///< Of those, in the last frame.
   bool has_moved = false;  ///< The arrows were used since something was typed.
   bool is_open = false;    ///< As in the last frame.
   std::string chosen =

@@ -147,6 +147,8 @@ void draw_format(kit::Ui& ui,
                     ? "There is such a folder; only a report that Nadir wrote is replaced"
                     : "There is such a file already; it would be replaced",
                 kit::TextLook::kWarning, ui.px(2.0 * kExportButton + 24.0));
+  } else if (!model.left_out.empty()) {
+    ui.cut_text(model.left_out, kit::TextLook::kWarning, ui.px(2.0 * kExportButton + 24.0));
   } else {
     ui.text("It is made in the background; the status line shows how far it is.",
             kit::TextLook::kMuted);

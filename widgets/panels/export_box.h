@@ -35,6 +35,7 @@ struct ExportModel {
   std::string proposed;   ///< Name for the chosen one, without ending.
   std::string file;       ///< Where it would be written; empty: no name is typed.
   std::string sentence;   ///< What making it will do.
+  std::string left_out;   ///< What the map shows and it will not; empty: nothing.
   std::string why_not;    ///< Why it cannot be made there; empty: it can.
   bool replaces = false;  ///< There is such a file now.
   std::optional<int> width_px;

@@ -210,8 +210,9 @@ kit::TextEdit draw_name_field(kit::Ui& ui,
                     {.placeholder = placeholder,
                      .takes_focus = true,
                      .takes_focus_now = goes_on,
+                     .takes_tab = true,
                      .hint = {.text = "Words of a name, or a path; Tab completes it, the arrows go "
-                                      "through the list, Backspace goes up"}});
+                                      "through the list, Backspace goes up, Shift+Tab leaves"}});
   if (edit.value != state.typed && !edit.was_cancelled) {
     state.typed = edit.value;
     if (!filter.is_for_saving) state.chosen.clear();

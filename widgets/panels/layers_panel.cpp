@@ -5,15 +5,17 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+
+#include "widgets/panels/map_lines.h"
 
 namespace nadir {
 namespace {
 
 // Of the design.
 constexpr double kRowHeight = 28.0;
-constexpr double kNameWidth = 96.0;
-constexpr double kSliderWidth = 64.0, kLeastSlider = 32.0, kSwatchWidth = 22.0;
+constexpr double kSliderWidth = 64.0, kLeastSlider = 32.0, kSwatchWidth = 22.0,
+                 kBetweenControls = 8.0;
+constexpr double kGripWidth = 16.0, kEyeWidth = 28.0, kBeforeEye = 2.0, kBeforeName = 4.0;
 constexpr double kPercentOfLayer = 100.0;
 
 constexpr std::array<std::string_view, kLayerCount> kTitles = {
@@ -38,13 +40,8 @@ constexpr std::array<std::string_view, kLayerCount> kHelps = {
 
 Rgba layer_colour(const LayersModel& model, const LayersModel::Row& row, const Theme& theme) {
   const Rgba usual = usual_line_colour(row.layer, model, theme);
-  if (!row.look.colour || row.look.colour->size() != 7) return usual;
-  std::uint32_t value = 0;
-  const char* const end = row.look.colour->data() + 7;
-  const auto read = std::from_chars(row.look.colour->data() + 1, end, value, 16);
-  if (read.ec != std::errc() || read.ptr != end) return usual;
-  return {static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>(value >> 8U),
-          static_cast<std::uint8_t>(value)};
+  if (!row.look.colour) return usual;
+  return colour_from_hex(*row.look.colour).value_or(usual);
 }
 
 std::string hex_text(Rgba colour) {
@@ -81,6 +78,31 @@ void draw_opacity(kit::Ui& ui, const LayersModel::Row& row, double width, Action
     asked.emplace_back(actions::SetLayerOpacity{row.layer, edit.value});
 }
 
+/// What stands at the right of all rows, below each other.
+struct LayerColumns {
+  double slider = 0.0;  ///< Width; 0: there is no room for any.
+  bool has_swatch = false;
+};
+
+/// In a narrow panel the sliders give way to the names, and then the colours; none for itself, for they stand in columns.
+LayerColumns columns_for(const kit::Ui& ui, const LayersModel& model) {
+  double plain = 0.0, coloured = 0.0;  // widest names of rows without and with a colour
+  for (const LayersModel::Row& row : model.rows) {
+    if (!row.why_empty.empty() || row.layer == Layer::kLegend) continue;
+    double& widest = has_line_colour(row.layer) ? coloured : plain;
+    widest = std::max(widest, ui.text_width(std::string(layer_title(row.layer))));
+  }
+  const double gap = ui.px(kBetweenControls), swatch = ui.px(kSwatchWidth);
+  const double room = ui.room().width - ui.px(kGripWidth) - ui.px(kBeforeEye) - ui.px(kEyeWidth) -
+                      ui.px(kBeforeName) - gap;
+  LayerColumns columns;
+  const double beside_names = room - std::max(plain, coloured + swatch + gap);
+  columns.slider = std::floor(std::min(ui.px(kSliderWidth), beside_names));
+  if (columns.slider < ui.px(kLeastSlider)) columns.slider = 0.0;
+  columns.has_swatch = columns.slider > 0.0 || room - coloured >= swatch;
+  return columns;
+}
+
 /// Up and down the list, for those who do not drag. The legend, which is the first row, stays there.
 void draw_order_menu(kit::Ui& ui, const LayersModel& model, std::size_t place, Actions& asked) {
   const auto menu = ui.context_menu("order");
@@ -101,7 +123,11 @@ void draw_order_menu(kit::Ui& ui, const LayersModel& model, std::size_t place, A
   item("To the ground", here - last, "It is the lowest");
 }
 
-void draw_layer_row(kit::Ui& ui, const LayersModel& model, std::size_t place, Actions& asked) {
+void draw_layer_row(kit::Ui& ui,
+                    const LayersModel& model,
+                    const LayerColumns& columns,
+                    std::size_t place,
+                    Actions& asked) {
   const LayersModel::Row& row = model.rows[place];
   const std::string name(enum_name(row.layer));
   const auto scope = ui.scope(name);
@@ -114,13 +140,13 @@ void draw_layer_row(kit::Ui& ui, const LayersModel& model, std::size_t place, Ac
           actions::MoveLayer{row.layer, static_cast<int>(place) - static_cast<int>(grip.value)});
     }
   }
-  ui.same_line(ui.px(2.0));
+  ui.same_line(ui.px(kBeforeEye));
   const bool shows = row.look.is_visible;
   const std::string title(layer_title(row.layer));
   if (const auto on = ui.eye("visible", shows, {(shows ? "Hide " : "Show ") + title, ""})) {
     asked.emplace_back(actions::ShowLayer{row.layer, *on ? Switch::kOn : Switch::kOff});
   }
-  ui.same_line(ui.px(4.0));
+  ui.same_line(ui.px(kBeforeName));
   const bool is_empty = !row.why_empty.empty();
   ui.text(title, is_empty || !shows ? kit::TextLook::kMuted : kit::TextLook::kNormal);
   ui.hint({std::string(kHelps.at(static_cast<std::size_t>(row.layer))), ""});
@@ -134,17 +160,12 @@ void draw_layer_row(kit::Ui& ui, const LayersModel& model, std::size_t place, Ac
     ui.hint({title + " shows nothing now: " + row.why_empty, ""});
     return;
   }
-  const bool has_colour = has_line_colour(row.layer);
-  const double gap = ui.px(8.0);
-  // In a narrow panel the slider gives way to the name, and then the colour.
-  const double room = ui.room().width;
-  const double swatch = ui.px(kSwatchWidth);
-  const bool shows_colour = has_colour && room >= swatch;
-  const double beside = shows_colour ? swatch + gap : 0.0;
-  const double slider = std::min(ui.px(kSliderWidth), room - beside);
-  const bool shows_slider = slider >= ui.px(kLeastSlider);
+  const double gap = ui.px(kBetweenControls), swatch = ui.px(kSwatchWidth);
+  const bool shows_colour = has_line_colour(row.layer) && columns.has_swatch;
+  const bool shows_slider = columns.slider > 0.0;
   if (!shows_colour && !shows_slider) return ui.space(0.0);
-  ui.right_align(shows_slider ? beside + slider : swatch);
+  const double beside = shows_colour && shows_slider ? gap : 0.0;
+  ui.right_align((shows_colour ? swatch : 0.0) + beside + columns.slider);
   if (shows_colour) {
     const auto no_label = ui.label_width(0.0);
     ui.next_width(swatch);
@@ -152,7 +173,7 @@ void draw_layer_row(kit::Ui& ui, const LayersModel& model, std::size_t place, Ac
     if (!shows_slider) return;
     ui.same_line(gap);
   }
-  draw_opacity(ui, row, slider, asked);
+  draw_opacity(ui, row, columns.slider, asked);
 }
 
 /// Three letters and "%" at most: "37 %", "4.2 %".
@@ -199,7 +220,7 @@ Rgba usual_line_colour(Layer layer, const LayersModel& model, const Theme& theme
     case Layer::kTruth:
       return model.is_on_picture ? theme.truth_on_imagery : theme.truth;
     case Layer::kGraticule:
-      return model.is_on_picture ? Rgba{255, 255, 255} : theme.line;
+      return graticule_colour(model.is_on_picture, theme);
     default:
       return model.is_on_picture ? run_colour_on_imagery(theme, model.run_colour)
                                  : run_colour(theme, model.run_colour);
@@ -210,8 +231,9 @@ Actions draw_layers(kit::Ui& ui, const LayersModel& model, LayersState& /*state*
   Actions asked;
   const auto scope = ui.scope("Layers");
   const auto area = ui.scroll_area("Layers area");
+  const LayerColumns columns = columns_for(ui, model);
   for (std::size_t place = 0; place < model.rows.size(); ++place)
-    draw_layer_row(ui, model, place, asked);
+    draw_layer_row(ui, model, columns, place, asked);
   ui.space();
   {
     const std::array<std::string, 3> poses = {"estimate", "truth", "odometry"};

@@ -19,26 +19,6 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Where a straight line of the page crosses a rectangle: the two ends, or nothing. Liang and Barsky 1984.
-std::optional<std::array<Eigen::Vector2d, 2>> within(const Eigen::Vector2d& through,
-                                                     const Eigen::Vector2d& along,
-                                                     const PageRect& where) {
-  double from = -std::numeric_limits<double>::infinity();
-  double to = std::numeric_limits<double>::infinity();
-  const auto cut = [&](double at, double speed, double low, double high) {
-    if (std::abs(speed) < 1e-12) return at >= low && at <= high;
-    const double first = (low - at) / speed;
-    const double second = (high - at) / speed;
-    from = std::max(from, std::min(first, second));
-    to = std::min(to, std::max(first, second));
-    return true;
-  };
-  const bool is_crossed = cut(through.x(), along.x(), where.left, where.right()) &&
-                          cut(through.y(), along.y(), where.bottom, where.top());
-  if (!is_crossed || !(from < to)) return std::nullopt;
-  return std::array<Eigen::Vector2d, 2>{through + from * along, through + to * along};
-}
-
 }  // namespace
 
 void GroundBounds::include(const Eigen::Vector2d& point) {
@@ -185,48 +165,6 @@ MapReadout map_readout(const Eigen::Vector2d& point_in_enu_m,
     made.mgrs = mgrs_text(place);
   }
   return made;
-}
-
-std::vector<GridLine> grid_lines(const MapCamera& camera, const PageRect& where, double least_px) {
-  std::vector<GridLine> lines;
-  const double least_m = least_px * camera.metres_per_px;
-  if (!(least_m > 0.0) || !std::isfinite(least_m)) return lines;
-  // The smallest round distance that is far enough: the largest one below 2.5 times it may be too large by a step only.
-  double step_m = round_length(2.5 * least_m);
-  if (step_m < least_m) step_m *= 2.0;
-  GroundBounds seen;
-  for (const auto& corner :
-       {Eigen::Vector2d(where.left, where.bottom), Eigen::Vector2d(where.right(), where.bottom),
-        Eigen::Vector2d(where.right(), where.top()), Eigen::Vector2d(where.left, where.top())}) {
-    seen.include(camera.enu_from_page(corner, where));
-  }
-  if (seen.empty() ||
-      seen.high.cwiseAbs().maxCoeff() + seen.low.cwiseAbs().maxCoeff() > 1e9 * step_m) {
-    return lines;
-  }
-  for (const bool is_east : {true, false}) {
-    const double low = is_east ? seen.low.x() : seen.low.y();
-    const double high = is_east ? seen.high.x() : seen.high.y();
-    for (double k = std::ceil(low / step_m); k * step_m <= high; k += 1.0) {
-      const double value_m = k * step_m;
-      const Eigen::Vector2d on_line = is_east
-                                          ? Eigen::Vector2d(value_m, camera.centre_in_enu_m.y())
-                                          : Eigen::Vector2d(camera.centre_in_enu_m.x(), value_m);
-      const Eigen::Vector2d next =
-          on_line + (is_east ? Eigen::Vector2d(0.0, 1.0) : Eigen::Vector2d(1.0, 0.0));
-      const Eigen::Vector2d through = camera.page_from_enu(on_line, where);
-      const Eigen::Vector2d along =
-          (camera.page_from_enu(next, where) - through) * camera.metres_per_px;
-      auto ends = within(through, along, where);
-      if (!ends) continue;
-      const auto is_first = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-        return std::abs(a.y() - b.y()) > 1e-6 ? a.y() < b.y() : a.x() < b.x();
-      };
-      if (!is_first((*ends)[0], (*ends)[1])) std::swap((*ends)[0], (*ends)[1]);
-      lines.push_back({is_east, value_m, *ends});
-    }
-  }
-  return lines;
 }
 
 }  // namespace nadir

@@ -85,17 +85,4 @@ struct MapReadout {
                                      const OverheadMap* map,
                                      const ProjectPlane* plane);
 
-/// A line of constant east or north across a page, with what is to be written at it.
-struct GridLine {
-  bool is_east = false;  ///< Of constant east, so it runs north.
-  double value_m = 0.0;
-  std::array<Eigen::Vector2d, 2>
-      ends;  ///< On the borders of the page; the lower (or else the left) one first.
-};
-/// Lines at round coordinates that are at least so many pixels apart, of a map turned in any way. None where the coordinates
-/// are so large that neighbours are lost in rounding.
-[[nodiscard]] std::vector<GridLine> grid_lines(const MapCamera& camera,
-                                               const PageRect& where,
-                                               double least_px);
-
 }  // namespace nadir

@@ -33,7 +33,7 @@ bool MapPaneView::shows_active_run() const {
 
 std::optional<int> MapPaneView::particle_under_mouse() const {
   if (!model_.step || !model_.step->particles || !shows_active_run()) return std::nullopt;
-  return nearest_particle(*model_.step->particles, camera_, where_, area_.mouse,
+  return nearest_particle(*model_.step->particles, camera_, where_, middle_of_pixel(area_.mouse),
                           ui_.px(kPickParticlePx));
 }
 
@@ -63,7 +63,8 @@ void MapPaneView::zoom(double factor) {
   const double metres_per_px = camera_.metres_per_px / factor;
   if (metres_per_px < kLeastMetresPerPx || metres_per_px > kMostMetresPerPx) return;
   if (model_.look.width_m <= 0.0) {  // nobody has chosen one yet that could be multiplied
-    look_at(zoomed_at(camera_, factor, area_.mouse, where_).centre_in_enu_m, metres_per_px);
+    look_at(zoomed_at(camera_, factor, middle_of_pixel(area_.mouse), where_).centre_in_enu_m,
+            metres_per_px);
     return;
   }
   if (model_.look.is_following) {  // the estimate stays in the middle
@@ -86,9 +87,10 @@ void MapPaneView::drag() {
   // What was under the mouse stays under it, however long the way.
   if (area_.drag->was_started || state_.grabbing_pane != pane_.name) {
     state_.grabbing_pane = pane_.name;
-    state_.grabbed_in_enu_m = camera_.enu_from_page(area_.drag->start, where_);
+    state_.grabbed_in_enu_m = camera_.enu_from_page(middle_of_pixel(area_.drag->start), where_);
   }
-  look_at(with_ground_at(camera_, state_.grabbed_in_enu_m, area_.mouse, where_).centre_in_enu_m);
+  look_at(with_ground_at(camera_, state_.grabbed_in_enu_m, middle_of_pixel(area_.mouse), where_)
+              .centre_in_enu_m);
 }
 
 void MapPaneView::click() {

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <tuple>
 
+#include "core/session/map_parts.h"
 #include "widgets/panels/map_lines.h"
-#include "widgets/panels/map_parts.h"
 #include "widgets/panels/picture_area.h"
 #include "widgets/views/agreement_view.h"
 
@@ -129,7 +129,9 @@ class LegendMaker {
 
   /// Of the map where there is one, so that the legend rests while topviews change.
   void add_classes() {
-    const bool shows_labels = model_.map && shows(Layer::kLabels);
+    // Labels lie in the place of a picture that there is not.
+    const bool shows_labels =
+        model_.map && (shows(Layer::kLabels) || (!model_.has_picture && shows(Layer::kPicture)));
     const bool shows_seen = (has_topview_ && shows(Layer::kTopview)) ||
                             (!runs_.empty() && shows(Layer::kReconstruction));
     if (!shows_labels && !shows_seen) return;
@@ -176,6 +178,43 @@ double widest_row(const std::vector<LegendEntry>& entries, double most, double p
   return widest;
 }
 
+/// What of a legend has room on a map: all of it, narrow if it can be, beside the scale bar, wider where it would be high;
+/// else as many entries as there is room for, and how many there are more. No entries: not even the first one has room.
+struct LegendFit {
+  std::vector<LegendEntry> entries;
+  double width = 0.0, height = 0.0;
+};
+
+LegendFit fit_legend(const std::vector<LegendEntry>& entries,
+                     const PageRect& map,
+                     double padding,
+                     double px) {
+  constexpr double kWished = 0.28, kCut = 0.34, kMost = 0.45;  // of the map's height
+  constexpr double kMostWidth = 0.72;
+  LegendFit fit{entries, 0.0, 0.0};
+  for (std::size_t left_out = 0; !fit.entries.empty(); ++left_out) {
+    if (left_out > 0) {
+      if (left_out > 1) fit.entries.pop_back();  // how many they were
+      if (fit.entries.empty()) break;
+      fit.entries.pop_back();
+      if (fit.entries.empty()) break;
+      fit.entries.push_back(
+          {fmt::format("and {} more", left_out), {0, 0, 0, 0}, LegendEntry::Kind::kBar});
+    }
+    for (const double share : {0.5, 0.6, 0.7}) {
+      fit.width = widest_row(fit.entries, share * map.width - 2.0 * padding, px);
+      fit.height = legend_height(fit.width + px, fit.entries, px);
+      if (fit.height <= kWished * map.height) break;
+    }
+    // What is cut short is no reason to cover more of the map.
+    const double most = left_out == 0 ? kMost : kCut;
+    if (fit.height <= most * map.height && fit.width + 2.0 * padding <= kMostWidth * map.width) {
+      return fit;
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<LegendEntry> map_legend(const MapViewModel& model,
@@ -191,23 +230,14 @@ PageRect draw_map_legend(Canvas& canvas,
                          const Theme& theme) {
   const double px = frame.px_per_pt;
   const PageRect& map = frame.where;
-  if (entries.empty() || map.width < 180.0 * px) return {};
-  constexpr double kMostHeight = 0.28;  // of the map
   const double padding = 5.0 * px;
-  // Narrow if it can be, beside the scale bar; wider where it would be high.
-  double widest = 0.0;
-  double height = 0.0;
-  for (const double share : {0.5, 0.6, 0.7}) {
-    widest = widest_row(entries, share * map.width - 2.0 * padding, px);
-    height = legend_height(widest + px, entries, px);
-    if (height <= kMostHeight * map.height) break;
-  }
-  if (height > 1.6 * kMostHeight * map.height || widest > 0.72 * map.width) return {};
-  const PageRect plate{map.right() - widest - 2.0 * padding - 4.0 * px, map.bottom + 4.0 * px,
-                       widest + 2.0 * padding, height + 2.0 * padding};
+  const LegendFit fit = fit_legend(entries, map, padding, px);
+  if (fit.entries.empty()) return {};
+  const PageRect plate{map.right() - fit.width - 2.0 * padding - 4.0 * px, map.bottom + 4.0 * px,
+                       fit.width + 2.0 * padding, fit.height + 2.0 * padding};
   canvas.fill(corners_of(plate), with_opacity(theme.page, 0.85));
-  draw_legend(canvas, {plate.left + padding, plate.bottom + padding, widest + px, height}, entries,
-              theme, px);
+  draw_legend(canvas, {plate.left + padding, plate.bottom + padding, fit.width + px, fit.height},
+              fit.entries, theme, px);
   return plate;
 }
 

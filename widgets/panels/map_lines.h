@@ -6,6 +6,7 @@
 #include "core/session/step_pose.h"
 #include "widgets/panels/map_view.h"
 #include "widgets/views/legend.h"
+#include "widgets/views/map_colours.h"
 #include "widgets/views/map_overlays.h"
 
 namespace nadir {
@@ -50,8 +51,8 @@ void draw_particle_ring(Canvas& canvas,
                                                   const std::vector<int>& shown,
                                                   const Theme& theme,
                                                   bool with_classes = true);
-/// On a plate at the lower right of the map, as narrow as it may be so that it is not high. @returns the plate; without area
-/// where there is nothing to say, or no room to say it.
+/// On a plate at the lower right of the map, as narrow as it may be so that it is not high. Where it has no room its last
+/// entries are left out, and counted. @returns the plate; without area where there is nothing to say, or no room to say it.
 PageRect draw_map_legend(Canvas& canvas,
                          const MapFrame& frame,
                          const std::vector<LegendEntry>& entries,
@@ -64,10 +65,8 @@ PageRect draw_map_legend(Canvas& canvas,
 [[nodiscard]] Rgba particle_casing(const Theme& theme, bool is_on_picture);
 /// The layer that shows a source's path.
 [[nodiscard]] Layer layer_of_source(PoseSource source);
-/// The colour with its own opacity times a share.
-[[nodiscard]] Rgba faded(Rgba colour, double share);
-/// "#RRGGBB" as a colour; nothing for anything else.
-[[nodiscard]] std::optional<Rgba> colour_from_hex(const std::string& text);
+/// Lines of the graticule, before they are made pale.
+[[nodiscard]] Rgba graticule_colour(bool is_on_picture, const Theme& theme);
 /// How a run's truth, odometry or estimate is drawn on the map.
 [[nodiscard]] PathLook run_path_look(const MapViewModel& model,
                                      const MapRun& run,

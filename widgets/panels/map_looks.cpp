@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <charconv>
-
 #include "widgets/panels/map_lines.h"
 
 namespace nadir {
@@ -17,10 +15,6 @@ Layer layer_of_source(PoseSource source) {
   return Layer::kEstimate;
 }
 
-Rgba faded(Rgba colour, double opacity) {
-  return with_opacity(colour, opacity * colour.alpha / 255.0);
-}
-
 bool has_ground_picture(const MapLook& look, bool has_map) {
   const auto shows = [&](Layer layer) {
     return look.layer(layer).is_visible && look.layer(layer).opacity > 0.3;
@@ -35,16 +29,6 @@ bool has_ground_picture(const MapViewModel& model) {
 Rgba particle_casing(const Theme& theme, bool is_on_picture) {
   return is_on_picture ? with_opacity(theme.casing_on_imagery, 0.85)
                        : with_opacity(theme.window, 0.85);
-}
-
-std::optional<Rgba> colour_from_hex(const std::string& text) {
-  if (text.size() != 7 || text.front() != '#') return std::nullopt;
-  std::uint32_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data() + 1, end, value, 16);
-  if (error != std::errc() || stopped != end) return std::nullopt;
-  return Rgba{static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>(value >> 8U),
-              static_cast<std::uint8_t>(value)};
 }
 
 PathLook run_path_look(const MapViewModel& model,

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "core/session/map_parts.h"
 #include "widgets/panels/map_cards.h"
 #include "widgets/panels/map_lines.h"
-#include "widgets/panels/map_parts.h"
 #include "widgets/panels/panel_text.h"
 #include "widgets/panels/picture_area.h"
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/session/map_parts.h"
 #include "widgets/panels/map_cards.h"
 #include "widgets/panels/map_lines.h"
 #include "widgets/panels/map_notes.h"
-#include "widgets/panels/map_parts.h"
 #include "widgets/panels/picture_area.h"
 #include "widgets/views/map_furniture.h"
 
@@ -148,7 +148,7 @@ void MapPaneView::name_bookmark() {
   for (const MapRun& run : model_.runs) {
     for (std::size_t i = 0; i < run.bookmarks_in_enu_m.size(); ++i) {
       const Eigen::Vector2d at = camera_.page_from_enu(run.bookmarks_in_enu_m[i], where_);
-      if (!((at - area_.mouse).norm() <= ui_.px(kBookmarkPx))) continue;
+      if (!((at - middle_of_pixel(area_.mouse)).norm() <= ui_.px(kBookmarkPx))) continue;
       const std::vector<std::string> lines = {"Bookmark", run.bookmark_notes[i]};
       ui_.mouse_tooltip(std::span(lines).first(lines[1].empty() ? 1 : 2));
       return;

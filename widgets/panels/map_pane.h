@@ -31,8 +31,12 @@ class MapPaneView {
 
  private:
   void look_at(const Eigen::Vector2d& centre_in_enu_m, std::optional<double> metres_per_px = {});
+  /// The middle of the pixel that the mouse is on: the mouse is told by its upper left corner.
+  [[nodiscard]] static Eigen::Vector2d middle_of_pixel(const Eigen::Vector2d& mouse) {
+    return mouse + Eigen::Vector2d(0.5, -0.5);
+  }
   [[nodiscard]] Eigen::Vector2d under_mouse() const {
-    return camera_.enu_from_page(area_.mouse, where_);
+    return camera_.enu_from_page(middle_of_pixel(area_.mouse), where_);
   }
   /// Whether the particles that can be picked are those of this pane.
   [[nodiscard]] bool shows_active_run() const;

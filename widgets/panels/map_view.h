@@ -41,6 +41,7 @@ struct MapViewModel {
   std::vector<MapRun> runs;  ///< Those that are drawn; the active one last, so that it lies on top.
   std::shared_ptr<const RunStep> step;  ///< Of the active run, with particles; null until decoded.
   std::shared_ptr<const MapIndex> map;  ///< Null: none, or being read.
+  bool has_picture = true;              ///< False: the map is labels only.
   std::optional<ProjectPlane> plane;    ///< Of the map, else of the active run.
   std::string reading;                  ///< Name of what is being read; empty: nothing is.
   /// Runs that are not drawn, for the map that is open is not theirs, or not that of the active run.

@@ -98,9 +98,11 @@ void draw_agreement_table(kit::Ui& ui, const SeenMoment& moment) {
   }
   const Theme& theme = ui.theme();
   const auto bar = [&](const CellAgreement::Count& count, Rgba colour) {
-    const auto share = count.share();
-    ui.bar_cell(share.value_or(std::nan("")), colour,
-                share ? fmt::format("{:.0f} %", 100.0 * *share) : "");
+    if (const auto share = count.share()) {
+      ui.bar_cell(*share, colour, fmt::format("{:.0f} %", 100.0 * *share));
+    } else {
+      ui.cell("–", kit::TextLook::kMuted);  // none on known ground, which is not 0 %
+    }
   };
   const auto table = ui.table("Agreement", columns);
   if (!table) return;

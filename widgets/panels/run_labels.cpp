@@ -9,6 +9,13 @@
 #include "widgets/panels/time_axis.h"
 
 namespace nadir {
+namespace {
+
+bool parts_words(char sign) {
+  return sign == '-' || sign == '_' || sign == ' ' || sign == ',' || sign == '/';
+}
+
+}  // namespace
 
 std::string fitted_name(const std::string& name,
                         double room,
@@ -26,6 +33,36 @@ std::string fitted_name(const std::string& name,
     }
   }
   return shortened(name, least);
+}
+
+std::vector<std::string> told_apart(std::span<const std::string> names) {
+  std::vector<std::string> told(names.begin(), names.end());
+  if (names.size() < 2) return told;
+  std::size_t begin = names[0].size();
+  std::size_t end = names[0].size();
+  std::size_t shortest = names[0].size();
+  for (const std::string& name : names) {
+    const auto ahead = std::mismatch(name.begin(), name.end(), names[0].begin(), names[0].end());
+    const auto behind =
+        std::mismatch(name.rbegin(), name.rend(), names[0].rbegin(), names[0].rend());
+    begin = std::min(begin, static_cast<std::size_t>(ahead.first - name.begin()));
+    end = std::min(end, static_cast<std::size_t>(behind.first - name.rbegin()));
+    shortest = std::min(shortest, name.size());
+  }
+  // Words stay whole: "run-10" and "run-12" differ in a number, not in a digit.
+  while (begin > 0 && !parts_words(names[0][begin - 1])) --begin;
+  while (end > 0 && !parts_words(names[0][names[0].size() - end])) --end;
+  if (begin + end >= shortest) end = 0;
+  if (begin >= shortest) begin = 0;
+  constexpr std::size_t kWorthIt = 2;  // one sign is no longer than what would stand for it
+  if (begin < kWorthIt) begin = 0;
+  if (end < kWorthIt) end = 0;
+  for (std::string& name : told) {
+    name = name.substr(begin, name.size() - begin - end);
+    if (begin > 0) name.insert(0, "…");
+    if (end > 0) name += "…";
+  }
+  return told;
 }
 
 bool is_incomplete(const RunDocument& run, bool is_live) {

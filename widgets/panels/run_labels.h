@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/session/run_document.h"
 
@@ -14,6 +16,10 @@ namespace nadir {
 [[nodiscard]] std::string fitted_name(const std::string& name,
                                       double room,
                                       const std::function<double(const std::string&)>& width_of);
+
+/// Names without what all of them begin and end with, which "…" stands for: "loop-1.5-a" and "loop-2-a" are "…1.5…" and "…2…". Cut
+/// only between words, and only where that leaves something of each and makes it shorter.
+[[nodiscard]] std::vector<std::string> told_apart(std::span<const std::string> names);
 
 /// Whether a run ended before its end: it was stopped or killed, or another program is still writing it.
 /// @param is_live  This program is writing it.

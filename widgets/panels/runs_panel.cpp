@@ -8,17 +8,14 @@
 #include "widgets/panels/empty_state.h"
 #include "widgets/panels/panel_text.h"
 #include "widgets/panels/run_labels.h"
-#include "widgets/panels/run_metric_rows.h"
+#include "widgets/panels/run_tables.h"
 #include "widgets/panels/shortcut_hint.h"
 #include "widgets/panels/time_axis.h"
 
 namespace nadir {
 namespace {
 
-constexpr int kMostDecimals = 2;
 constexpr const char* kIncomplete = "incomplete";
-/// Before the best of a row, which is also green: not everybody sees that.
-constexpr const char* kBestMark = "•";
 
 /// Compares again only where other runs are open, or one has grown. The active one comes first.
 void compare_again(const RunsModel& model, RunsState& state) {
@@ -103,109 +100,6 @@ void draw_run_row(kit::Ui& ui, const RunsModel::Row& row, std::size_t count, Act
       row.progress_words.empty() ? fmt::format("{} steps", steps) : row.progress_words;
   if (ui.progress("localising", row.progress, words, row.job.has_value())) {
     asked.emplace_back(actions::CancelJob{row.job});
-  }
-}
-
-std::string name_of_run(const RunsModel& model, int number) {
-  const auto row =
-      std::find_if(model.rows.begin(), model.rows.end(),
-                   [number](const RunsModel::Row& one) { return one.number == number; });
-  return row == model.rows.end() ? std::string() : row->name;
-}
-
-/// Columns for the runs right of a first one.
-std::vector<kit::Column> columns_of(const kit::Ui& ui,
-                                    const RunsModel& model,
-                                    const RunsState& state,
-                                    std::string first,
-                                    kit::Align align) {
-  std::vector<kit::Column> columns(1);
-  columns[0].title = std::move(first);
-  // The names of the rows come first: a number needs little.
-  const double width =
-      std::clamp((ui.room().width - ui.px(132.0)) /
-                     static_cast<double>(std::max<std::size_t>(1, state.numbers.size())),
-                 ui.px(52.0), ui.px(72.0));
-  for (const int number : state.numbers) {
-    kit::Column column;
-    const std::string name = name_of_run(model, number);
-    const std::string fitted = fitted_name(
-        name, width - ui.px(4.0), [&ui](const std::string& line) { return ui.text_width(line); });
-    column.title = fitted == name ? name : label_of(fitted, name);
-    column.align = align;
-    column.width = width;
-    column.decimals = kMostDecimals;
-    column.hint = {name, ""};
-    columns.push_back(std::move(column));
-  }
-  return columns;
-}
-
-void draw_metric(kit::Ui& ui, const ShownMetric& metric, const RunsState& state) {
-  const auto& rows = state.comparison.metrics;
-  const auto row = std::find_if(rows.begin(), rows.end(),
-                                [&](const MetricRow& one) { return one.key == metric.key; });
-  if (row == rows.end()) return;
-  const auto best = best_run(metric, *row, state.comparison.is_same_flight);
-  ui.row(std::string(metric.name));
-  ui.cell(std::string(metric.statistic), kit::TextLook::kMuted);
-  const std::string help = fmt::format("{}; {}", metric.help, better_words(metric));
-  ui.hint({metric_label(metric), "", "", help});
-  for (std::size_t i = 0; i < row->values.size(); ++i) {
-    const auto& value = row->values[i];
-    if (!value) {
-      ui.number_cell("–", kit::TextLook::kMutedNumber);
-      ui.hint({"Not known for this run", ""});
-      continue;
-    }
-    const std::string digits = fmt::format("{:.{}f}", *value * metric.factor, metric.decimals);
-    const bool is_best = best == i;
-    ui.number_cell(is_best ? kBestMark + digits : digits,
-                   is_best ? kit::TextLook::kGood : kit::TextLook::kNumber);
-    if (is_best) ui.hint({"The best of these runs: " + better_words(metric), ""});
-  }
-}
-
-void draw_metrics(kit::Ui& ui, const RunsModel& model, const RunsState& state) {
-  const auto section = ui.section("Errors");
-  if (!section) return;
-  const auto columns = columns_of(ui, model, state, "", kit::Align::kDecimal);
-  const auto all = shown_metrics();
-  for (std::size_t begin = 0; begin < all.size();) {
-    std::size_t end = begin;
-    while (end < all.size() && all[end].group == all[begin].group) ++end;
-    ui.text(std::string(all[begin].group), kit::TextLook::kNormal);
-    // One table in parts, so that their columns stay below each other.
-    if (const auto table = ui.table("metrics", columns, {.has_header = begin == 0})) {
-      for (; begin < end; ++begin) draw_metric(ui, all[begin], state);
-    }
-    begin = end;
-  }
-  if (state.numbers.size() < 2) return;
-  ui.wrapped(state.comparison.is_same_flight
-                 ? std::string(kBestMark) + " and green: the best run by this number"
-                 : std::string("Runs of different flights: none is marked as the best"),
-             kit::TextLook::kMuted);
-}
-
-void draw_settings(kit::Ui& ui, const RunsModel& model, const RunsState& state) {
-  const auto& settings = state.comparison.settings;
-  const auto section = ui.section("Settings that differ", true, fmt::format("{}", settings.size()));
-  if (!section) return;
-  if (settings.empty()) {
-    ui.text("None: the runs were made alike", kit::TextLook::kMuted);
-    return;
-  }
-  const auto columns = columns_of(ui, model, state, "", kit::Align::kRight);
-  const auto table = ui.table("settings", columns);
-  if (!table) return;
-  for (const SettingDifference& setting : settings) {
-    ui.row(setting.name);
-    ui.cell(
-        setting.unit.empty() ? setting.name : fmt::format("{} [{}]", setting.name, setting.unit),
-        kit::TextLook::kMuted);
-    if (!setting.help.empty()) ui.hint({setting.help, ""});
-    for (const auto& value : setting.values) ui.number_cell(value.value_or("–"));
   }
 }
 

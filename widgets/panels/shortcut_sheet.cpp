@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <utility>
 
 #include "widgets/panels/empty_state.h"
 #include "widgets/panels/panel_text.h"
@@ -12,11 +14,22 @@
 namespace nadir {
 namespace {
 
-struct MouseHabit {
+/// What no command stands for.
+struct InputHabit {
   const char* title;
   const char* gesture;
 };
-constexpr std::array<MouseHabit, 6> kMouseHabits = {{
+constexpr std::array<InputHabit, 8> kKeyboardHabits = {{
+    {"From the map into the panels", "Shift+Tab"},
+    {"Next, previous control", "Tab, Shift+Tab"},
+    {"Next, previous part of the window", "Ctrl+Tab, Ctrl+Shift+Tab"},
+    {"Press, open, type", "Space, Enter"},
+    {"Change a value or choice", "arrows"},
+    {"Reset a number", "Delete"},
+    {"Menu of a control", "Shift+F10"},
+    {"Back to the map", "Escape"},
+}};
+constexpr std::array<InputHabit, 6> kMouseHabits = {{
     {"Move the map", "drag"},
     {"Zoom around the pointer", "wheel"},
     {"Go to a moment", "drag on the timeline"},
@@ -25,13 +38,26 @@ constexpr std::array<MouseHabit, 6> kMouseHabits = {{
     {"Reset a number", "double click its label"},
 }};
 
-/// Lines of one menu, or of the mouse where `commands` is empty.
+/// Lines of one menu, or where `commands` is empty of keyboard or mouse.
 struct SheetGroup {
   std::string title;
   std::vector<const OfferedCommand*> commands;
-  std::vector<MouseHabit> habits;
+  std::vector<InputHabit> habits;
   [[nodiscard]] std::size_t lines() const { return 2 + commands.size() + habits.size(); }
 };
+
+void add_habits(const std::string& title,
+                std::span<const InputHabit> habits,
+                const std::string& typed,
+                std::vector<SheetGroup>& groups) {
+  SheetGroup group{title, {}, {}};
+  for (const InputHabit& habit : habits) {
+    if (has_words(fmt::format("{} {} {}", habit.title, habit.gesture, title), typed)) {
+      group.habits.push_back(habit);
+    }
+  }
+  if (!group.habits.empty()) groups.push_back(std::move(group));
+}
 
 [[nodiscard]] std::vector<SheetGroup> groups_of(const ShortcutSheetModel& model,
                                                 const std::string& typed) {
@@ -51,13 +77,8 @@ struct SheetGroup {
       group->commands.push_back(&offered);
     }
   }
-  SheetGroup mouse{"Mouse", {}, {}};
-  for (const MouseHabit& habit : kMouseHabits) {
-    if (has_words(fmt::format("{} {} mouse", habit.title, habit.gesture), typed)) {
-      mouse.habits.push_back(habit);
-    }
-  }
-  if (!mouse.habits.empty()) groups.push_back(mouse);
+  add_habits("Keyboard", kKeyboardHabits, typed, groups);
+  add_habits("Mouse", kMouseHabits, typed, groups);
   return groups;
 }
 
@@ -76,7 +97,7 @@ struct SheetGroup {
       asked.insert(asked.begin(), actions::ShowOverlay{Overlay::kNone});
     }
   }
-  for (const MouseHabit& habit : group.habits) {
+  for (const InputHabit& habit : group.habits) {
     ui.read_out(habit.title, habit.gesture, {}, {}, kit::TextLook::kMuted);
   }
   ui.space(ui.px(12.0));

@@ -14,6 +14,9 @@
 
 namespace nadir {
 
+/// Around the timeline, of the design: with that much three of the usual strips are whole in the usual height.
+inline constexpr double kTimelinePadding = 8.0;
+
 /// What the timeline keeps from frame to frame; its owner only keeps it alive. Nothing in here can be undone.
 struct TimelineState {
   // What the strips show, kept while runs and width stay.
@@ -28,6 +31,9 @@ struct TimelineState {
   double shown_px_per_s = 0.0;
   std::array<std::optional<StripPlot>, kStripCount> plots;
   std::optional<std::vector<StreamBar>> streams;
+
+  std::string
+      fault;  ///< Why what was typed is no time, in a sentence that the owner tells; empty: nothing is wrong.
 
   // What the user is doing.
   bool is_scrubbing = false;           ///< The left button is held on a strip or on the ruler.

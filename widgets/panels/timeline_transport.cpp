@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/panels/panel_text.h"
 #include "widgets/panels/shortcut_hint.h"
 #include "widgets/panels/timeline_parts.h"
 
@@ -47,10 +48,14 @@ void draw_time(TimelineFrame& frame) {
   const auto no_label = ui.label_width(0.0);
   const auto typed = ui.text_input("##Time", clock_text(frame.model.time_s), options);
   if (typed.was_entered || typed.was_committed) {
-    const auto moment_s = parse_clock(typed.value);
-    if (moment_s)
+    if (const auto moment_s = parse_clock(typed.value)) {
       frame.actions.push_back(
           actions::Seek{std::clamp(*moment_s, frame.axis.first_s, frame.axis.last_s)});
+    } else if (typed.value.find_first_not_of(' ') != std::string::npos) {
+      frame.state.fault = fmt::format(
+          "'{}' is no time: type seconds, such as 62.5, or minutes and seconds, such as 1:02.5",
+          shortened(typed.value, 40));
+    }
   }
   ui.same_line(ui.px(6.0));
   ui.text("/ " + clock_text(frame.axis.last_s), kit::TextLook::kMutedNumber);

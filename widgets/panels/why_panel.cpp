@@ -51,7 +51,7 @@ void draw_fits(kit::Ui& ui, const MomentExplanation& moment) {
     ui.number_cell(cost_text(fit.mean_cost),
                    is_best ? kit::TextLook::kGood : kit::TextLook::kNumber);
     const auto share = fit.agreement.share();
-    ui.number_cell(share ? fmt::format("{:.0f} %", 100.0 * *share) : "");
+    ui.number_cell(share ? fmt::format("{:.0f} %", 100.0 * *share) : "–");
   };
   row("estimate", moment.estimate);
   if (moment.truth) row("truth", *moment.truth);

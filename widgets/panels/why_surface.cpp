@@ -12,30 +12,34 @@
 #include "widgets/panels/map_geometry.h"
 #include "widgets/panels/moment_panel.h"
 #include "widgets/panels/surface_picture.h"
+#include "widgets/views/map_colours.h"
 
 namespace nadir {
 namespace {
 
-void mark_cross(Canvas& canvas, const Eigen::Vector2d& at, double arm, Rgba colour, double width) {
+constexpr double kRim = 0.75;  ///< Opacity of what lies around lines on a ramp of colours.
+
+void mark_cross(
+    Canvas& canvas, const Eigen::Vector2d& at, double arm, Rgba colour, Rgba rim, double width) {
   const std::array<Eigen::Vector2d, 2> along = {at - Eigen::Vector2d(arm, arm),
                                                 at + Eigen::Vector2d(arm, arm)};
   const std::array<Eigen::Vector2d, 2> across = {at - Eigen::Vector2d(arm, -arm),
                                                  at + Eigen::Vector2d(arm, -arm)};
-  for (const auto& [ink, extra] : {std::pair(Rgba{0, 0, 0, 200}, 2.0), std::pair(colour, 0.0)}) {
+  for (const auto& [ink, extra] : {std::pair(rim, 2.0), std::pair(colour, 0.0)}) {
     canvas.stroke(along, {ink, width + extra});
     canvas.stroke(across, {ink, width + extra});
   }
 }
 
 void mark_ring(
-    Canvas& canvas, const Eigen::Vector2d& at, double radius, Rgba colour, double width) {
+    Canvas& canvas, const Eigen::Vector2d& at, double radius, Rgba colour, Rgba rim, double width) {
   std::vector<Eigen::Vector2d> ring;
   constexpr int kCorners = 24;
   for (int i = 0; i <= kCorners; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kCorners;
     ring.emplace_back(at + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
   }
-  canvas.stroke(ring, {Rgba{0, 0, 0, 200}, width + 2.0});
+  canvas.stroke(ring, {rim, width + 2.0});
   canvas.stroke(ring, {colour, width});
 }
 
@@ -53,12 +57,13 @@ void draw_plane(
   const auto input = draw_picture(ui, "Surface", state.surface, state.texture_of, {side, side});
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
+  const Rgba rim = with_opacity(theme.casing_on_imagery, kRim);
   const GridPlace middle = surface.place_of(surface.volume.centre_in_enu);
   mark_ring(canvas, surface_point(surface, middle, input.where), ui.px(6.0),
-            theme.estimate_on_imagery, ui.px(2.0));
+            theme.estimate_on_imagery, rim, ui.px(2.0));
   if (surface.truth && surface.is_truth_inside) {
     mark_cross(canvas, surface_point(surface, *surface.truth, input.where), ui.px(5.0),
-               theme.truth_on_imagery, ui.px(2.0));
+               theme.truth_on_imagery, rim, ui.px(2.0));
   }
   if (!input.area.is_hovered) return;
   const GridPlace place = surface_place(surface, input.area.mouse, input.where);
@@ -101,14 +106,15 @@ void draw_turn(kit::Ui& ui, const MomentSurface& surface) {
                 value_colour(ValueColours::kViridis, goodness));
     curve.emplace_back(left + page.width / count / 2.0, page.height * (0.12 + 0.76 * goodness));
   }
-  canvas.stroke(curve, {Rgba{0, 0, 0, 180}, ui.px(3.0)});
-  canvas.stroke(curve, {Rgba{255, 255, 255}, ui.px(1.5)});
+  const Rgba rim = with_opacity(theme.casing_on_imagery, kRim);
+  canvas.stroke(curve, {rim, ui.px(3.0)});
+  canvas.stroke(curve, {light_on_imagery(theme), ui.px(1.5)});
   const auto mark = [&](double yaw_place, Rgba colour) {
     const double x = page.width * (count - 0.5 - yaw_place) / count;
     if (!(x >= 0.0 && x <= page.width)) return;
     const std::array<Eigen::Vector2d, 2> line = {Eigen::Vector2d(x, 0.0),
                                                  Eigen::Vector2d(x, page.height)};
-    canvas.stroke(line, {Rgba{0, 0, 0, 180}, ui.px(3.0)});
+    canvas.stroke(line, {rim, ui.px(3.0)});
     canvas.stroke(line, {colour, ui.px(1.5)});
   };
   if (surface.truth) mark(surface.truth->yaw, theme.truth_on_imagery);

@@ -46,7 +46,7 @@ struct LevelSpec {
 struct BarsSpec {
   struct Series {
     std::string name = {};
-    std::vector<double> heights = {};  ///< One a group; what is not finite has no bar.
+    std::vector<double> heights = {};  ///< One a group; what is not finite has a dash for a bar.
     Rgba colour = {};
   };
   std::vector<std::string> groups = {};

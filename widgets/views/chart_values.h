@@ -23,4 +23,11 @@ struct BarValue {
                                                const ChartLayout& layout,
                                                const TextStyle& style);
 
+/// What stands where a bar would, were its height known: a bar of height 0 is something else.
+inline constexpr const char* kNoBar = "–";
+/// The middles of those dashes, on their baselines; none where bars are narrower than a dash.
+[[nodiscard]] std::vector<Eigen::Vector2d> missing_bars(const BarsSpec& bars,
+                                                        const ChartLayout& layout,
+                                                        const TextStyle& style);
+
 }  // namespace nadir

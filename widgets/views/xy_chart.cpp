@@ -178,7 +178,17 @@ struct XyChart::Implementation {
     }
     paint(canvas, page_width, page_height);
     draw_titles(canvas, layout, type.title, where);
-    if (spec.bars && spec.bars->shows_values) draw_values(canvas);
+    if (!spec.bars) return;
+    draw_missing(canvas);
+    if (spec.bars->shows_values) draw_values(canvas);
+  }
+
+  void draw_missing(Canvas& canvas) const {
+    TextStyle style = type.x_label;
+    style.colour = theme.muted;
+    for (const Eigen::Vector2d& baseline : missing_bars(*spec.bars, layout, style)) {
+      canvas.text(baseline, kNoBar, style);
+    }
   }
 
   void draw_values(Canvas& canvas) const {

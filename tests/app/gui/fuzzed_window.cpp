@@ -80,14 +80,22 @@ bool FuzzedWindow::settle(double most_s) {
   return true;
 }
 
-void FuzzedWindow::act(const std::string& line) {
-  note(line);
-  const auto began = Clock::now();
-  if (const auto action = parse_action(line)) {
-    asked_.emplace_back(action_name(*action));
-    if (session().apply(*action)) done_.emplace_back(action_name(*action));
+void FuzzedWindow::act(const std::string& line) { act_at_once({line}); }
+
+void FuzzedWindow::act_at_once(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    note(line);
+    const auto began = Clock::now();
+    if (const auto action = parse_action(line)) {
+      asked_.emplace_back(action_name(*action));
+      if (const auto done = session().apply(*action)) {
+        done_.emplace_back(action_name(*action));
+      } else {
+        last_refusal_ = line + ": " + done.error().message;
+      }
+    }
+    longest_frame_s_ = std::max(longest_frame_s_, since_s(began));
   }
-  longest_frame_s_ = std::max(longest_frame_s_, since_s(began));
   frame();
 }
 

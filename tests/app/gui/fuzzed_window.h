@@ -30,6 +30,8 @@ class FuzzedWindow {
   [[nodiscard]] std::string do_something(FuzzWords& words);
   /// Does an action, as a script's line has it, and draws a frame.
   void act(const std::string& line);
+  /// Does several without a frame between.
+  void act_at_once(const std::vector<std::string>& lines);
   void draw(int frames);
   /// Draws until nothing is being read or computed any more. @returns whether that came about.
   bool settle(double most_s);
@@ -39,6 +41,8 @@ class FuzzedWindow {
   [[nodiscard]] const std::vector<std::string>& asked() const { return asked_; }
   /// Names of those that were done and did not fail.
   [[nodiscard]] const std::vector<std::string>& done() const { return done_; }
+  /// Why the last action that failed did; empty: none has.
+  [[nodiscard]] const std::string& last_refusal() const { return last_refusal_; }
   [[nodiscard]] double longest_frame_s() const { return longest_frame_s_; }
 
  private:
@@ -60,6 +64,7 @@ class FuzzedWindow {
   std::unique_ptr<kit::UiRenderer> renderer_;
   std::unique_ptr<GuiShell> shell_;
   std::vector<std::string> asked_, done_;
+  std::string last_refusal_;
   double longest_frame_s_ = 0.0;
   int frames_ = 0;
 };

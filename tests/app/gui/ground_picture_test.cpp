@@ -6,40 +6,26 @@
 
 #include <algorithm>
 
-#include "core/map/overhead_map_file.h"
-#include "tests/support/scratch_folder.h"
-#include "tests/widgets/panels/made_moment.h"
-#include "widgets/gl/offscreen_context.h"
+#include "tests/app/gui/made_ground.h"
 
 namespace nadir {
 namespace ground_picture_test {
 
-constexpr int kWidth = 160, kHeight = 120;
 constexpr double kMetresPerPx = 0.25;
 
-/// A ground of the made moment, whose topview lies 3 m north of where it was seen: there its classes are not the map's.
-class GroundPictureTest : public ::testing::Test {
+class GroundPictureTest : public MadeGround {
  protected:
   void SetUp() override {
-    auto context = OffscreenContext::create();
-    if (!context) GTEST_SKIP() << context.error().message;
-    context_ = std::move(*context);
-    ASSERT_TRUE(write_overhead_map(made_.map->map(), {}, std::nullopt, folder_.path() / "map"));
-    ground_ = GroundPicture::open(folder_.path() / "map").value();
-    contents_.look = made_.map_view().look;
+    MadeGround::SetUp();
     for (LayerLook& layer : contents_.look.layers) layer = {false, 1.0, std::nullopt};
-    contents_.step = made_.step;
-    contents_.labels = std::shared_ptr<const OverheadMap>(made_.map, &made_.map->map());
   }
   void show(Layer layer, double opacity = 1.0) {
     contents_.look.layer(layer) = {true, opacity, std::nullopt};
   }
   /// As drawn once all tiles are there, rows from the bottom.
   Raster<Rgba> drawn(const GroundPart& part) {
-    const MapCamera camera{contents_.look.centre_in_enu_m, kMetresPerPx};
     do {
-      ground_->show(contents_);
-      EXPECT_TRUE(ground_->draw(camera, kWidth, kHeight, 1.0, part));
+      draw_once(part, kMetresPerPx);
     } while (ground_->wants_more());
     Raster<Rgba> pixels(kWidth, kHeight);
     glBindTexture(GL_TEXTURE_2D, ground_->texture(part.number));
@@ -47,11 +33,7 @@ class GroundPictureTest : public ::testing::Test {
     glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     return pixels;
   }
-  Raster<Rgba> drawn() {
-    GroundPart part;
-    part.layers = contents_.look.order;
-    return drawn(part);
-  }
+  Raster<Rgba> drawn() { return drawn(all_layers()); }
   void lift(Layer layer) {  // above all others
     std::erase(contents_.look.order, layer);
     contents_.look.order.push_back(layer);
@@ -61,12 +43,6 @@ class GroundPictureTest : public ::testing::Test {
     for (std::size_t i = 0; i < a.size(); ++i) count += a.values()[i] == b.values()[i] ? 0U : 1U;
     return count;
   }
-
-  MadeMoment made_;
-  ScratchFolder folder_;
-  GroundContents contents_;
-  std::unique_ptr<OffscreenContext> context_;  // before what is drawn with it
-  std::unique_ptr<GroundPicture> ground_;
 };
 
 TEST_F(GroundPictureTest, HidesALayerAtOnce) {
@@ -75,6 +51,25 @@ TEST_F(GroundPictureTest, HidesALayerAtOnce) {
   EXPECT_GT(differing(drawn(), nothing), nothing.size() / 2);
   contents_.look.layer(Layer::kLabels).is_visible = false;
   EXPECT_EQ(differing(drawn(), nothing), 0U);
+}
+
+TEST_F(GroundPictureTest, HasInEachPixelTheClassThatIsAtItsMiddle) {
+  show(Layer::kLabels);
+  const Raster<Rgba> pixels = drawn();
+  const OverheadMap& map = made_.map->map();
+  const MapCamera camera{contents_.look.centre_in_enu_m, kMetresPerPx};
+  const PageRect page{0.0, 0.0, 1.0 * kWidth, 1.0 * kHeight};
+  int off = 0, compared = 0;
+  for (int row = 0; row < kHeight; ++row) {  // from the bottom
+    for (int column = 0; column < kWidth; ++column) {
+      const Eigen::Vector2d place = camera.enu_from_page({column + 0.5, row + 0.5}, page);
+      if (!map.contains(place) || map.class_at(place) == kUnclassified) continue;
+      ++compared;
+      if (pixels.at(column, row) != class_colour(map.class_at(place))) ++off;
+    }
+  }
+  EXPECT_GT(compared, 1000);
+  EXPECT_EQ(off, 0) << "of " << compared;
 }
 
 TEST_F(GroundPictureTest, LaysLayersInTheirOrder) {

@@ -2,46 +2,19 @@
 // What a ground does not make anew, and what its tiles cost.
 #include <gtest/gtest.h>
 
-#include "app/gui/ground_picture.h"
-#include "core/map/overhead_map_file.h"
-#include "tests/support/scratch_folder.h"
-#include "tests/widgets/panels/made_moment.h"
-#include "widgets/gl/offscreen_context.h"
+#include "tests/app/gui/made_ground.h"
 
 namespace nadir {
 namespace ground_reuse_test {
 
-constexpr int kWidth = 160, kHeight = 120;
-
-class GroundReuseTest : public ::testing::Test {
+class GroundReuseTest : public MadeGround {
  protected:
   void SetUp() override {
-    auto context = OffscreenContext::create();
-    if (!context) GTEST_SKIP() << context.error().message;
-    context_ = std::move(*context);
-    ASSERT_TRUE(write_overhead_map(made_.map->map(), {}, std::nullopt, folder_.path() / "map"));
-    ground_ = GroundPicture::open(folder_.path() / "map", budget_).value();
-    contents_.look = made_.map_view().look;
+    MadeGround::SetUp();
     contents_.look.layer(Layer::kTopview).is_visible = true;
     contents_.look.layer(Layer::kDisagreement).is_visible = true;
-    contents_.step = made_.step;
-    contents_.labels = std::shared_ptr<const OverheadMap>(made_.map, &made_.map->map());
   }
-  void draw() {
-    ground_->show(contents_);
-    const MapCamera camera{contents_.look.centre_in_enu_m, 40.0 / kWidth};
-    GroundPart part;
-    part.layers = contents_.look.order;
-    const auto drawn = ground_->draw(camera, kWidth, kHeight, 1.0, part);
-    EXPECT_TRUE(drawn) << drawn.error().message;
-  }
-
-  MadeMoment made_;
-  ScratchFolder folder_;
-  std::shared_ptr<TileBudget> budget_ = std::make_shared<TileBudget>();
-  GroundContents contents_;
-  std::unique_ptr<OffscreenContext> context_;  // before what is drawn with it
-  std::unique_ptr<GroundPicture> ground_;
+  void draw() { draw_once(all_layers(), 40.0 / kWidth); }
 };
 
 TEST_F(GroundReuseTest, LaysTheTopviewOnceWhileOnlyTheCameraMoves) {

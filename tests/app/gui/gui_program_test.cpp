@@ -121,6 +121,37 @@ TEST_F(GuiProgram, LosesNothingWhenItIsKilledWhileItLocalises) {
   EXPECT_EQ(next.status, 0) << next.words;
 }
 
+TEST_F(GuiProgram, LeavesWhatWasOpenLastToTheNextStartThatIsNotFresh) {
+  ASSERT_EQ(script("wait\npanel runs on\n", {path("demo/run.nadir")}).status, 0);
+  std::filesystem::copy_file(path("demo/run.nadir"), path("demo/another.nadir"));
+  for (int i = 0; i < 2; ++i) {
+    const Ending fresh = script("wait\nexpect-not Left/Runs/1/Close\nopen " +
+                                    path("demo/another.nadir") + "\nwait\ntheme light\nquit\n",
+                                {"--fresh"});
+    ASSERT_EQ(fresh.status, 0) << fresh.words;
+  }
+  const Ending next =
+      script("wait\nexpect Left/Runs/1/Close\nexpect-not Left/Runs/2/Close\ncontrols " +
+             path("controls.txt") + "\n");
+  ASSERT_EQ(next.status, 0) << next.words;
+  EXPECT_THAT(bytes("controls.txt"), testing::Not(HasSubstr("another")));
+}
+
+TEST_F(GuiProgram, OpensARunWhoseNameIsNoTextAgain) {
+  const std::string run = path("demo/caf\xE9.nadir");
+  std::filesystem::rename(path("demo/run.nadir"), run);
+  const Ending first = script("wait\nbookmark here\npanel runs on\nwait\nscreenshot " +
+                                  path("name.png") + "\nexport " + path("moment.svg") + "\nwait\n",
+                              {run});
+  ASSERT_EQ(first.status, 0) << first.words;
+  EXPECT_THAT(bytes("moment.svg"), HasSubstr("<svg")) << "another process has drawn it";
+  const Ending second = script("wait\nexpect Left/Runs/1/Close\n");
+  EXPECT_EQ(second.status, 0) << second.words;
+  const Ending figure = script("wait\npanel runs on\nwait\nexpect Left/Runs/1/Close\n",
+                               {"--fresh", path("moment.svg")});
+  EXPECT_EQ(figure.status, 0) << figure.words;
+}
+
 TEST_F(GuiProgram, LeavesTheUsersFolderAloneWhereNobodySeesIt) {
   const std::filesystem::path config = path("home");
   auto process = ChildProcess::start(

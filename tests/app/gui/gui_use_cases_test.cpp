@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the window is for, one script a use: each is driven without a display, in a folder with a run.nadir, its flight and
-// what it writes. Their pictures stay in the folder of NADIR_PICTURES, where that is set.
+// What the window is for, one script a use: each is driven without a display, in a folder with a run.nadir, its flight, the
+// map "town" and what it writes. Their pictures stay in the folder of NADIR_PICTURES, where that is set.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -25,7 +25,10 @@ std::vector<std::string> scripts() {
 
 class UseCases : public GuiProgram, public testing::WithParamInterface<std::string> {
  protected:
-  UseCases() : before_(fs::current_path()) { fs::current_path(path("demo")); }
+  UseCases() : before_(fs::current_path()) {
+    fs::current_path(path("demo"));
+    fs::copy(NADIR_PROVING_GROUND, "town", fs::copy_options::recursive);
+  }
   ~UseCases() override { fs::current_path(before_); }
 
   /// Pictures are told apart by the script's name in front.
@@ -60,9 +63,9 @@ std::string test_name_of(const testing::TestParamInfo<std::string>& script) {
 INSTANTIATE_TEST_SUITE_P(Scripts, UseCases, testing::ValuesIn(scripts()), test_name_of);
 
 TEST(UseCaseScripts, AreThereForEverythingThatTheWindowIsFor) {
-  EXPECT_THAT(scripts(),
-              testing::IsSupersetOf({"camera-topview-space", "export", "habits", "map", "opening",
-                                     "rerun", "side-by-side", "timeline", "why"}));
+  EXPECT_THAT(scripts(), testing::IsSupersetOf({"camera-topview-space", "export", "habits",
+                                                "keyboard", "localise-now", "map", "opening",
+                                                "rerun", "side-by-side", "timeline", "why"}));
 }
 
 }  // namespace gui_use_cases_test

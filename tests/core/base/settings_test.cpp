@@ -166,6 +166,21 @@ TEST(TomlQuoted, ReadsBackAsTheSameText) {
   }
 }
 
+TEST(TomlQuoted, KeepsBytesThatAreNoUtf8ThoughTomlIs) {
+  std::string every_byte;
+  for (int byte = 0; byte < 256; ++byte) every_byte += static_cast<char>(byte);
+  for (const std::string& bytes : {std::string("/runs/caf\xE9.nadir"), every_byte}) {
+    const std::string quoted = toml_quoted(bytes);
+    const auto read = Settings::parse("x = " + quoted + "\nlist = [" + quoted + "]\n", "quoted");
+    ASSERT_TRUE(read) << error_text(read);
+    EXPECT_EQ(read->text("x").value(), bytes);
+    EXPECT_EQ(read->text_or("x", "").value(), bytes);
+    EXPECT_EQ(read->scalar_as_text("x").value(), bytes);
+    EXPECT_THAT(read->texts("list").value(), ElementsAre(bytes));
+  }
+  EXPECT_EQ(toml_quoted("caf\xE9"), "\"caf\\uFFFFE9\"") << "which an editor can show";
+}
+
 TEST(Settings, RefusesKeysThatNobodyKnowsAndNamesTheNearest) {
   const auto settings = Settings::parse("speed = 1\n[part]\nsizee = 2\nqqqqqqqq = 3\n", "a.toml");
   ASSERT_TRUE(settings);

@@ -9,6 +9,7 @@ namespace nadir {
 namespace export_kinds_test {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class ExportKindsTest : public SessionTest {
  protected:
@@ -85,6 +86,26 @@ TEST_F(ExportKindsTest, SayInOneSentenceWhatWillBeDone) {
   settle();
   EXPECT_THAT(export_sentence(kind("report"), *session_, "~/r", std::nullopt),
               HasSubstr("of second and 1 more run "));
+}
+
+TEST_F(ExportKindsTest, SayWhatOfTheMapTheyLeaveOut) {
+  open_run();
+  for (const ExportKind& one : export_kinds()) {
+    EXPECT_EQ(left_out_sentence(one, session_->view()), "") << one.name;
+  }
+  act("layer error-surface on");
+  EXPECT_EQ(left_out_sentence(kind("moment"), session_->view()), "Not in it: the error surface.");
+  act("open " + copy_run("second.nadir").string());
+  settle();
+  act("measure 1 2");
+  EXPECT_EQ(left_out_sentence(kind("film"), session_->view()),
+            "Not in it: the error surface, 1 other run and what is measured.");
+  EXPECT_EQ(left_out_sentence(kind("trajectories"), session_->view()), "");
+  act("rotate 30");
+  EXPECT_EQ(left_out_sentence(kind("trajectories"), session_->view()),
+            "Not in it: the turn of the map.");
+  EXPECT_THAT(left_out_sentence(kind("moment"), session_->view()), Not(HasSubstr("turn")));
+  EXPECT_EQ(left_out_sentence(kind("cdf"), session_->view()), "") << "it shows no map";
 }
 
 TEST_F(ExportKindsTest, OfAFilmIsAFigureInAFileOfAFilm) {

@@ -35,9 +35,11 @@ TEST(FigureRequest, IsARecipeOfWhatIsShown) {
   EXPECT_EQ(recipe->text("options.theme").value(), "dark");
   EXPECT_EQ(recipe->number("options.time").value(), 12.25);
   EXPECT_EQ(recipe->text("options.crop").value(), "80@10.5,-3");
-  EXPECT_EQ(recipe->text("options.layers").value(), "all");
+  EXPECT_EQ(recipe->text("options.stack").value(),
+            "picture,topview:0.8,particles,odometry,truth,estimate,ellipses,modes");
   EXPECT_EQ(recipe->text("options.laid-at").value(), "estimate");
-  EXPECT_THAT(text, Not(HasSubstr("label-opacity")));
+  EXPECT_THAT(text, Not(HasSubstr("layers"))) << "the stack says it";
+  EXPECT_THAT(text, Not(HasSubstr("up ="))) << "north is";
   EXPECT_THAT(text, Not(HasSubstr("speed")));
 }
 
@@ -48,22 +50,51 @@ TEST(FigureRequest, HasAWidthOnlyWhereOneIsAskedFor) {
   EXPECT_THAT(figure_recipe_text(request), HasSubstr("size = \"2400\"\n"));
 }
 
-TEST(FigureRequest, LeavesOutTheLayersThatAreHidden) {
+TEST(FigureRequest, OfAMomentHasTheLayersAsTheyLie) {
   FigureRequest request = moment_request();
+  request.look.layer(Layer::kParticles).is_visible = false;
+  request.look.layer(Layer::kLabels) = {true, 0.4, std::nullopt};
+  request.look.layer(Layer::kTruth).colour = "#FF8800";
+  std::swap(request.look.order[0], request.look.order[1]);  // the labels below the picture
+  EXPECT_THAT(figure_recipe_text(request),
+              HasSubstr("stack = \"labels:0.4,picture,topview:0.8,odometry,truth#FF8800,estimate,"
+                        "ellipses,modes\"\n"));
+  for (LayerLook& look : request.look.layers) look.is_visible = false;
+  EXPECT_THAT(figure_recipe_text(request), HasSubstr("stack = \"none\"\n"));
+}
+
+TEST(FigureRequest, OfAMomentIsTurnedAsTheMapIs) {
+  FigureRequest request = moment_request();
+  request.look.up = MapUp::kFree;
+  request.look.up_rad = 0.0;
+  EXPECT_THAT(figure_recipe_text(request), HasSubstr("up = \"90\"\n"));
+  request.look.up = MapUp::kHeading;
+  EXPECT_THAT(figure_recipe_text(request), HasSubstr("up = \"heading\"\n"));
+}
+
+TEST(FigureRequest, OfAMomentGoesWithTheVehicleWhereTheMapDoes) {
+  FigureRequest request = moment_request();
+  request.look.is_following = true;
+  EXPECT_THAT(figure_recipe_text(request), HasSubstr("crop = \"80\"\n"));
+  request.figure = "trajectories";
+  EXPECT_THAT(figure_recipe_text(request), HasSubstr("crop = \"80@10.5,-3\"\n"))
+      << "it has no moment to be around";
+}
+
+TEST(FigureRequest, OfOtherFiguresLeavesOutTheLayersThatAreHidden) {
+  FigureRequest request = moment_request();
+  request.figure = "trajectories";
+  EXPECT_THAT(figure_recipe_text(request), HasSubstr("layers = \"all\"\n"));
   request.look.layer(Layer::kParticles).is_visible = false;
   request.look.layer(Layer::kOdometry).is_visible = false;
   EXPECT_THAT(figure_recipe_text(request),
               HasSubstr("layers = \"picture,truth,estimate,ellipses,modes,topview\"\n"));
-  for (LayerLook& look : request.look.layers) look.is_visible = false;
-  EXPECT_THAT(figure_recipe_text(request), HasSubstr("layers = \"none\"\n"));
-}
-
-TEST(FigureRequest, ShowsLabelsAndGraticuleWhereTheWindowDoes) {
-  FigureRequest request = moment_request();
   request.look.layer(Layer::kLabels) = {true, 0.4, std::nullopt};
   request.look.layer(Layer::kGraticule).is_visible = true;
   EXPECT_THAT(figure_recipe_text(request), HasSubstr("label-opacity = 0.4\n"));
   EXPECT_THAT(figure_recipe_text(request), HasSubstr("graticule-lines = true\n"));
+  for (LayerLook& look : request.look.layers) look.is_visible = false;
+  EXPECT_THAT(figure_recipe_text(request), HasSubstr("layers = \"none\"\n"));
 }
 
 TEST(FigureRequest, OfAFilmHasItsRangeAndItsSpeed) {

@@ -49,7 +49,7 @@ TEST_F(SessionExportTest, AsksForAFigureOfWhatTheMapShowsNow) {
   EXPECT_EQ(recipe.number("options.time").value(), 2.5);
   EXPECT_EQ(recipe.text("options.crop").value(), "33@20,28");
   EXPECT_EQ(recipe.text("options.theme").value(), "light");
-  EXPECT_THAT(recipe.text("options.layers").value(), Not(HasSubstr("particles")));
+  EXPECT_THAT(recipe.text("options.stack").value(), Not(HasSubstr("particles")));
   ASSERT_THAT(session_->jobs(), SizeIs(1));
   EXPECT_EQ(session_->jobs()[0].title, "drawing m.svg");
   EXPECT_EQ(session_->jobs()[0].number, effect.job);
@@ -120,6 +120,17 @@ TEST_F(SessionExportTest, ShowsHowFarTheShellIsAndWhatCameOfIt) {
   EXPECT_THAT(notice_texts(), ElementsAre(in("m.png") + " was written"));
   session_->finish_effect(job, "again", "");
   EXPECT_THAT(session_->notices(), SizeIs(1)) << "it has ended";
+}
+
+TEST_F(SessionExportTest, SaysWhatOfTheMapAFigureLeavesOut) {
+  open_run();
+  act("layer reconstruction on");
+  act("rotate -90");  // west is up then
+  act("export " + in("m.png"));
+  EXPECT_EQ(
+      Settings::parse(only_effect<DrawFigureEffect>().recipe, "r")->text("options.up").value(),
+      "270");
+  EXPECT_THAT(notice_texts(), ElementsAre("m.png: Not in it: the reconstruction."));
 }
 
 TEST_F(SessionExportTest, SaysWhyTheShellCouldNotDoIt) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/base/settings.h"
 #include "core/map/overhead_map_file.h"
 #include "core/run/localise_flight.h"
 #include "core/session/rerun.h"
@@ -136,6 +137,15 @@ void poll_until(Session& session, const Condition& is_so) {
   EXPECT_TRUE(is_so()) << "it takes for ever";
 }
 
+/// A run that takes so long that it can be watched.
+inline void ask_for_a_slow_run(Session& session) {
+  for (const char* words : {"option particles 200000", "option global-particles 200000",
+                            "option min-particles 200000", "option adapt-particles false"}) {
+    const auto done = session.apply(*parse_action(words));
+    ASSERT_TRUE(done) << words << ": " << error_text(done);
+  }
+}
+
 /// A session in folders of its own.
 class SessionTest : public testing::Test {
  protected:
@@ -151,6 +161,17 @@ class SessionTest : public testing::Test {
   void start() {
     session_.reset();
     session_ = std::make_unique<Session>(places());
+  }
+
+  /// The same, which opens what was open.
+  void restart() {
+    start();
+    session_->restore();
+    settle();
+  }
+  [[nodiscard]] fs_path session_file() const { return scratch_.path() / "config" / "session.toml"; }
+  [[nodiscard]] fs_path preferences_file() const {
+    return scratch_.path() / "config" / "preferences.toml";
   }
 
   /// Does what must work.
@@ -177,6 +198,12 @@ class SessionTest : public testing::Test {
     }
     return done.error().message;
   }
+  /// The next run is made in a moment.
+  void ask_for_a_quick_run() {
+    act("option particles 300");
+    act("option min-particles 300");
+    act("option max-cells 50");
+  }
   /// Waits until all that was begun is done.
   void settle() {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(120);
@@ -194,6 +221,13 @@ class SessionTest : public testing::Test {
     ASSERT_NE(session_->active_run()->document, nullptr);
     ASSERT_NE(session_->map(), nullptr);
     ASSERT_NE(session_->map()->index, nullptr);
+  }
+  /// The words that open a file or folder.
+  static std::string open(const fs_path& path) { return "open \"" + path.string() + "\""; }
+  [[nodiscard]] std::vector<std::string> run_names() const {
+    std::vector<std::string> names;
+    for (const OpenRun& run : session_->runs()) names.push_back(run.name);
+    return names;
   }
   /// Another copy of the run beside the first.
   fs_path copy_run(const std::string& name) {

@@ -106,7 +106,13 @@ TEST_F(SessionLayoutTest, KeepsLayoutsByName) {
   EXPECT_THAT(refused("layout wid"), HasSubstr("there is no layout 'wid'; did you mean wide?"));
   EXPECT_THAT(refused("save-layout default"), HasSubstr("'default' is always as it is"));
   EXPECT_THAT(refused("save-layout \"\""), HasSubstr("a layout needs a name"));
-  EXPECT_THAT(refused("save-layout gr\xfcn"), HasSubstr("no text in UTF-8"));
+}
+
+TEST_F(SessionLayoutTest, LogsOnceThatWhatLiesOverTheWindowWasClosed) {
+  act("show about");
+  act("show none");  // Escape asks the overlay to close
+  act("show none");  // and is a shortcut as well
+  EXPECT_THAT(session_->log(), ElementsAre("show about", "show none"));
 }
 
 TEST_F(SessionLayoutTest, ChoosesAndOrdersStrips) {

@@ -4,48 +4,20 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <functional>
-#include <limits>
 
-#include "core/run/evaluate_run.h"
-#include "tests/widgets/figures/recorded_flight.h"
+#include "tests/widgets/figures/made_drive.h"
 #include "tests/widgets/views/drawn_chart.h"
-#include "widgets/figures/chart_panel.h"
-#include "widgets/figures/moment_panels.h"
 #include "widgets/views/chart_axis.h"
 
 namespace nadir {
 namespace error_charts_test {
 
-using testing::Contains;
-using testing::DoubleNear;
-using testing::Each;
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::IsNan;
-using testing::SizeIs;
-using testing::UnorderedElementsAre;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-const Theme& light() { return theme(ThemeName::kLight); }
-
-/// The drive of recorded_flight.h with its steps changed one by one; not read from a file.
-FigureRun drive(
-    const std::string& name,
-    int steps = 30,
-    const std::function<void(RunStep&)>& change = [](RunStep&) {}) {
-  FigureRun run;
-  run.name = name;
-  for (int i = 0; i < steps; ++i) {
-    run.steps.push_back(street_step(i, {.has_particles = false, .has_topviews = false}));
-    change(run.steps.back());
-    run.judged.push_back(evaluated_step(run.steps.back()));
-  }
-  run.start_s = run.steps.front().time_s;
-  run.evaluation = evaluate_steps(run.judged).value();
-  return run;
-}
+using ::testing::Contains;
+using ::testing::DoubleNear;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::IsNan;
+using ::testing::SizeIs;
 
 FigureRun without_odometry() {
   return drive("blind", 30, [](RunStep& step) { step.odometry_in_enu.reset(); });
@@ -61,12 +33,6 @@ std::size_t pieces_of(const LineSpec& line) {
     was_known = is_known;
   }
   return pieces;
-}
-
-std::vector<std::string> names_of(const ChartSpec& chart) {
-  std::vector<std::string> names;
-  for (const LegendEntry& entry : legend_of(chart)) names.push_back(entry.name);
-  return names;
 }
 
 /// Every chart over time of a run.
@@ -205,105 +171,6 @@ TEST(ErrorCharts, TellEightRunsApart) {
   }
 }
 
-TEST(TimingChart, ShowsTheMillisecondsOfEachUpdateAndTheTimeThereIs) {
-  const FigureRun run = drive("a", 30, [](RunStep& step) { step.update_ms = 300.0 + step.step; });
-  const ChartSpec chart = timing_chart(run, light());
-  EXPECT_EQ(chart.x.title, "time [s]");
-  EXPECT_EQ(chart.y.title, "update time [ms]");
-  ASSERT_THAT(chart.lines, SizeIs(1));
-  EXPECT_EQ(chart.lines[0].y[7], 307.0);
-  EXPECT_NEAR(chart.lines[0].x[7], 3.5, 1e-9);
-  ASSERT_THAT(chart.levels, SizeIs(1));
-  EXPECT_NEAR(chart.levels[0].y, 500.0, 1e-6);
-  EXPECT_THAT(names_of(chart), ElementsAre("update", "time between steps"));
-}
-
-TEST(TimingChart, LeavesOutABudgetThatWouldFlattenTheUpdates) {
-  EXPECT_THAT(timing_chart(drive("fast"), light()).levels, IsEmpty());  // 8 ms of 500
-  EXPECT_NEAR(step_period_ms(drive("fast")).value(), 500.0, 1e-6);
-}
-
-TEST(TimingChart, TakesASingleStepAndUnknownTimes) {
-  const ChartSpec single = timing_chart(drive("single", 1), light());
-  EXPECT_THAT(single.lines[0].y, ElementsAre(8.0));
-  EXPECT_THAT(single.levels, IsEmpty());
-  const ChartSpec unknown =
-      timing_chart(drive("unknown", 9, [](RunStep& step) { step.update_ms = kNan; }), light());
-  EXPECT_THAT(unknown.lines[0].y, Each(IsNan()));
-  EXPECT_THAT(names_of(unknown), IsEmpty());
-}
-
-TEST(SampleSizeChart, ShowsBothCounts) {
-  const ChartSpec chart = sample_size_chart(drive("a"), light());
-  EXPECT_THAT(chart.lines[0].y, Each(60.0));
-  EXPECT_THAT(chart.lines[1].y, Each(100.0));
-  EXPECT_THAT(names_of(chart), ElementsAre("effective sample size", "particles"));
-}
-
-CellAgreement agreement_of(ClassId id, std::uint32_t agreeing, std::uint32_t disagreeing) {
-  CellAgreement made;
-  made.of_class.at(id) = {agreeing, disagreeing, 0};
-  return made;
-}
-
-TEST(AgreementBars, StandForEachClassSeenOnKnownGround) {
-  CellAgreement at_estimate = agreement_of(kRoad, 3, 1);
-  at_estimate.of_class[kCurb] = {0, 5, 0};
-  at_estimate.of_class[kTerrain] = {0, 0, 7};  // off the map
-  const auto chart = agreement_bars({at_estimate, agreement_of(kRoad, 4, 0)}, light());
-  ASSERT_TRUE(chart);
-  EXPECT_EQ(chart->y.title, "agreeing [%]");
-  EXPECT_EQ(chart->y.high, 100.0);
-  const auto& bars = *chart->bars;
-  const std::string road_name(class_info(kRoad).name);
-  EXPECT_THAT(bars.groups,
-              testing::UnorderedElementsAre(road_name, std::string(class_info(kCurb).name)));
-  const std::size_t road = bars.groups[0] == road_name ? 0 : 1;
-  EXPECT_DOUBLE_EQ(bars.series[0].heights[road], 75.0);
-  EXPECT_DOUBLE_EQ(bars.series[0].heights[1 - road], 0.0);
-  EXPECT_DOUBLE_EQ(bars.series[1].heights[road], 100.0);
-  EXPECT_THAT(bars.series[1].heights[1 - road], IsNan());
-  EXPECT_THAT(names_of(*chart), ElementsAre("at estimate", "at truth"));
-}
-
-TEST(AgreementBars, StandAlsoForClassesThatOnlyTheTruthKnows) {
-  const auto chart = agreement_bars({{}, agreement_of(kRoad, 1, 1)}, light());
-  ASSERT_TRUE(chart);
-  EXPECT_THAT(chart->bars->groups, SizeIs(1));
-  EXPECT_THAT(names_of(*chart), ElementsAre("at truth"));
-}
-
-TEST(AgreementBars, AreNoneWithoutCellsOnKnownGroundAndOneSeriesWithoutTruth) {
-  EXPECT_FALSE(agreement_bars({}, light()));
-  EXPECT_FALSE(agreement_bars({{}, CellAgreement{}}, light()));
-  const auto chart = agreement_bars({agreement_of(kRoad, 1, 1), {}}, light());
-  ASSERT_TRUE(chart);
-  EXPECT_THAT(chart->bars->series, SizeIs(1));
-}
-
-TEST(CalibrationChart, IsADistributionBesideTheDiagonal) {
-  const ChartSpec chart = calibration_chart(drive("a"), light());
-  ASSERT_THAT(chart.lines, SizeIs(2));
-  EXPECT_TRUE(std::is_sorted(chart.lines[0].x.begin(), chart.lines[0].x.end()));
-  EXPECT_TRUE(std::is_sorted(chart.lines[0].y.begin(), chart.lines[0].y.end()));
-  EXPECT_EQ(chart.lines[0].y.back(), 1.0);
-  EXPECT_THAT(names_of(chart), ElementsAre("expected of a consistent filter"));
-}
-
-TEST(CalibrationChart, LeavesOutStepsWithoutACovariance) {
-  const auto forget = [](RunStep& step) {
-    if (step.step < 20) step.estimate.moments.covariance.setConstant(kNan);
-  };
-  const ChartSpec some = calibration_chart(drive("some", 30, forget), light());
-  EXPECT_THAT(some.lines[0].x, SizeIs(10 + 2));
-  EXPECT_LT(*std::max_element(some.lines[0].x.begin(), some.lines[0].x.end() - 1), 1.0);
-  const ChartSpec none = calibration_chart(
-      drive("none", 30, [](RunStep& step) { step.estimate.moments.covariance.setConstant(kNan); }),
-      light());
-  EXPECT_THAT(none.lines[0].x, IsEmpty());
-  EXPECT_THAT(none.lines[1].x, SizeIs(2));
-}
-
 TEST(CdfChart, HasTheOdometryOfEachFlight) {
   std::vector<FigureRun> runs = {drive("a"), drive("b")};
   EXPECT_THAT(names_of(cdf_chart(runs, ErrorKind::kPosition, light())),
@@ -349,23 +216,6 @@ TEST(MseChart, HasTicksAboveAndBelowItsBarsAndTheirValues) {
   }
 }
 
-TEST(ConsistencyCharts, DrawDifferentThingsInDifferentWays) {
-  const FigureRun run = drive("a");
-  const std::vector<CaptionedChart> charts = {{"a", nees_chart(run, light())},
-                                              {"b", calibration_chart(run, light())},
-                                              {"c", sample_size_chart(run, light())},
-                                              {"d", agreement_chart({&run, 1}, light())}};
-  const std::vector<LegendEntry> entries = legend_of_all(charts);
-  EXPECT_THAT(entries, SizeIs(4));  // run, expected, bounds, particles
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      EXPECT_NE(entries[i].name, entries[j].name);
-      EXPECT_TRUE(entries[i].colour != entries[j].colour || entries[i].kind != entries[j].kind)
-          << entries[i].name << " and " << entries[j].name;
-    }
-  }
-}
-
 TEST(AxisErrorChart, HasBandsOfOneAndTwoSigmaInTheUnitsOfItsError) {
   const FigureRun run = drive("a");  // variances 0.3 m^2, 0.1 m^2 and 0.002 rad^2
   const ChartSpec east = axis_error_chart(run, PoseAxis::kEast, light());
@@ -386,15 +236,6 @@ TEST(AxisErrorChart, HasBandsOfOneAndTwoSigmaInTheUnitsOfItsError) {
   EXPECT_THAT(yaw.lines[0].y, Each(DoubleNear(0.572958, 1e-5)));  // 0.01 rad
 }
 
-TEST(NeesChart, HasTheBoundsAndTheMeanOfThreeDegreesOfFreedom) {
-  const ChartSpec chart = nees_chart(drive("a"), light());
-  std::vector<double> levels;
-  for (const auto& level : chart.levels) levels.push_back(level.y);
-  EXPECT_THAT(levels, UnorderedElementsAre(DoubleNear(0.216, 5e-4), DoubleNear(9.348, 5e-4), 3.0));
-  // 0.2^2 / 0.3 + 0.2^2 / 0.1 + 0.01^2 / 0.002
-  EXPECT_NEAR(chart.lines[0].y[0], 0.583333, 1e-6);
-}
-
 TEST(ErrorCharts, CountTimeFromTheRunsStartAlsoWhereItsFirstStepsAreLeftOut) {
   FigureRun run = drive("later");
   run.steps.erase(run.steps.begin(), run.steps.begin() + 10);
@@ -407,37 +248,6 @@ TEST(ErrorCharts, CountTimeFromTheRunsStartAlsoWhereItsFirstStepsAreLeftOut) {
   for (const ChartSpec& chart : charts_over_time(run)) {
     for (const LineSpec& line : chart.lines) EXPECT_NEAR(line.x.front(), 5.5, 1e-9);
   }
-}
-
-TEST(CalibrationChart, IsTheDiagonalForAFilterAsSureAsItMayBe) {
-  constexpr int kSteps = 200;
-  const FigureRun run = drive("gaussian", kSteps, [](RunStep& step) {
-    // One error at the middle of each 200th of a Gaussian in the plane, stretched and turned by `root`.
-    const double probability = (step.step + 0.5) / kSteps;
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - probability));
-    const double angle = 2.4 * step.step;
-    Eigen::Matrix2d root;
-    root << 2.0, 0.0, 0.7, 0.5;
-    const Eigen::Vector2d error = root * Eigen::Vector2d(std::cos(angle), std::sin(angle)) * radius;
-    step.estimate.moments.mean.x_m = step.truth_in_enu->x_m + error.x();
-    step.estimate.moments.mean.y_m = step.truth_in_enu->y_m + error.y();
-    step.estimate.moments.mean.yaw_rad = 0.1;
-    step.estimate.moments.covariance.setZero();
-    step.estimate.moments.covariance.topLeftCorner<2, 2>() = root * root.transpose();
-    step.estimate.moments.covariance(2, 2) = 0.002;
-  });
-  const LineSpec line = calibration_chart(run, light()).lines[0];
-  ASSERT_THAT(line.x, SizeIs(kSteps + 2));
-  for (std::size_t i = 0; i < line.x.size(); ++i) {
-    EXPECT_NEAR(line.x[i], line.y[i], 0.51 / kSteps) << i;
-  }
-}
-
-TEST(TimingChart, TakesTheLowerOfTwoMiddlePeriods) {
-  const FigureRun run = drive("uneven", 3, [](RunStep& step) {
-    if (step.step == 2) step.time_s += 60.0;
-  });
-  EXPECT_NEAR(step_period_ms(run).value(), 500.0, 1e-6);
 }
 
 }  // namespace error_charts_test

@@ -64,6 +64,7 @@ TEST(FigureRecipe, QuotesWordsAndNotNumbersOfEveryOption) {
     if (option.name == "size") other = "300";
     if (option.name == "crop") other = "30@1,2";
     if (option.name == "layers") other = "truth";
+    if (option.name == "stack") other = "topview:0.5,truth#FF8800";
     if (option.name == "label-opacity") other = "0.5";
     ASSERT_TRUE(set_option(recipe.options, option.name, other).has_value()) << option.name;
   }

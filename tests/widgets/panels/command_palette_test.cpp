@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "tests/widgets/panels/asked.h"
 #include "widgets/kit/headless_ui.h"
 
@@ -77,6 +79,33 @@ TEST(CommandPalette, KeepsTheHighlightedLineInSight) {
   const kit::Control& line = palette.screen.at("Palette/" + line_of(command.text));
   EXPECT_TRUE(line.is_selected);
   EXPECT_TRUE(palette.screen.at("Palette").rect.contains(line.rect.centre()));
+}
+
+TEST(CommandPalette, ShowsWholeRowsOnlyInWindowsOfAllSizes) {
+  for (const double scale : {1.0, 1.5, 2.0}) {
+    for (const double height : {480.0, 600.0, 733.0, 800.0, 1080.0}) {
+      OpenPalette palette;
+      palette.screen.context().set_look(ThemeName::kDark, scale);
+      palette.screen.input().size_px = {1280.0, height};
+      palette.screen.wait(4, palette);
+      const double bottom = palette.screen.at("Palette").rect.bottom();
+      EXPECT_LE(bottom, height);
+      const auto lowest = [&] {
+        double lowest_px = 0.0;
+        for (const kit::Control& control : palette.screen.controls()) {
+          if (control.path == "Palette") continue;
+          lowest_px = std::max(lowest_px, control.rect.bottom());
+          EXPECT_TRUE(control.is_visible) << control.path;
+        }
+        return lowest_px;
+      };
+      EXPECT_LE(lowest(), bottom) << height << " by " << scale;
+      for (int i = 0; i < 30; ++i) palette.screen.press("Down", palette);
+      EXPECT_LE(lowest(), bottom) << "also further down the list";
+      EXPECT_TRUE(std::any_of(palette.screen.controls().begin(), palette.screen.controls().end(),
+                              [](const kit::Control& control) { return control.is_selected; }));
+    }
+  }
 }
 
 TEST(CommandPalette, SaysWhyACommandCannotBeDoneAndDoesNotDoIt) {

@@ -54,6 +54,15 @@ TEST(ExportBox, ListsEveryKindWithItsLine) {
   }
 }
 
+TEST(ExportBox, SaysWhatOfTheMapWillNotBeInIt) {
+  Export box;
+  box.wait(4);
+  EXPECT_FALSE(box.screen.shows("Not in it"));
+  box.model.left_out = "Not in it: the error surface.";
+  box.wait();
+  EXPECT_TRUE(box.screen.shows("Not in it: the error surface."));
+}
+
 TEST(ExportBox, ProposesANameForWhatIsChosenAndMakesItOnEnter) {
   Export box;
   box.wait(4);

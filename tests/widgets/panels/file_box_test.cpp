@@ -4,8 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/scratch_folder.h"
-#include "tests/widgets/panels/made_folders.h"
-#include "tests/widgets/panels/shown.h"
+#include "tests/widgets/panels/box_on_disk.h"
 
 namespace nadir {
 namespace file_box_test {
@@ -15,34 +14,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
-
-struct BoxOnDisk : FileBoxModel {
-  MadeFolders disk;
-};
-Actions draw_box_on_disk(kit::Ui& ui, BoxOnDisk& model, FileBoxState& state) {
-  model.disk.show(state.files, model.files);
-  return draw_file_box(ui, model, state);
-}
-using Box = Shown<BoxOnDisk, FileBoxState, draw_box_on_disk>;
-
-struct BoxToOpen : Box {
-  BoxToOpen() {
-    model.use = FileBoxModel::Use::kOpen;
-    model.first_folder = "/data/flights";
-    model.files.places = {{"Home", "/home/ada"}, {"maps", "/data/maps"}};
-    model.files.recents = {{"old", "/data/flights/2018", "old.nadir", kit::Icon::kFile}};
-  }
-};
-
-struct BoxToSave : BoxToOpen {
-  BoxToSave() {
-    model.use = FileBoxModel::Use::kSaveRecipe;
-    model.proposed_name = "loop-options.toml";
-  }
-};
-
-/// The folder that a box shows.
-std::string folder_of_box(const Box& box) { return box.state.files.folder; }
 
 TEST(OpenBox, BeginsWhereSomethingWasOpenedLastAndTakesTypingAtOnce) {
   BoxToOpen box;
@@ -58,11 +29,14 @@ TEST(OpenBox, BeginsWhereSomethingWasOpenedLastAndTakesTypingAtOnce) {
 TEST(OpenBox, ShowsNameKindAndDate) {
   BoxToOpen box;
   box.wait();
-  EXPECT_THAT(box.screen.at("Open/Names/town/Name").value, HasSubstr("town"));
-  EXPECT_EQ(box.screen.at("Open/Names/town/Kind").value, "map");
-  EXPECT_EQ(box.screen.at("Open/Names/loop/Kind").value, "flight");
-  EXPECT_EQ(box.screen.at("Open/Names/wide.toml/Kind").value, "recipe");
-  EXPECT_THAT(box.screen.at("Open/Names/town/Changed").value, StartsWith("2020-09-"));
+  const auto cell = [&](const std::string& path) {
+    return box.screen.at("Open/Names/" + path).value;
+  };
+  EXPECT_THAT(cell("town/Name"), HasSubstr("town"));
+  const std::vector<std::pair<std::string, std::string>> kinds = {
+      {"town", "map"}, {"loop", "flight"}, {"wide.toml", "recipe"}};
+  for (const auto& [name, kind] : kinds) EXPECT_EQ(cell(name + "/Kind"), kind);
+  EXPECT_THAT(cell("town/Changed"), StartsWith("2020-09-"));
 }
 
 TEST(OpenBox, OpensTheFirstThatFitsOnEnter) {
@@ -233,76 +207,6 @@ TEST(OpenBox, FitsIntoASmallWindow) {
   EXPECT_TRUE(box.fits());
   EXPECT_TRUE(box.screen.at("Open/Open##take").is_visible);
   EXPECT_LE(box.screen.at("Open/Open##take").rect.bottom(), 480.0);
-}
-
-TEST(SaveBox, ProposesANameAndWritesItOnEnter) {
-  BoxToSave box;
-  box.wait();
-  EXPECT_EQ(box.screen.at("Save recipe/##Name").value, "loop-options.toml");
-  EXPECT_THAT(box.press("Enter"),
-              ElementsAre("show none", "save-preset /data/flights/loop-options.toml"));
-}
-
-TEST(SaveBox, GivesAnEndingAndReplacesWhatIsProposedByWhatIsTyped) {
-  BoxToSave box;
-  box.wait();
-  box.type_here("mine");
-  EXPECT_EQ(box.state.files.typed, "mine");
-  EXPECT_THAT(box.press("Enter"), ElementsAre("show none", "save-preset /data/flights/mine.toml"));
-}
-
-TEST(SaveBox, WarnsBeforeItReplacesAndAsksForEnterTwice) {
-  BoxToSave box;
-  box.type("Save recipe/##Name", "wide.toml", false);
-  EXPECT_TRUE(box.screen.shows("is there already and would be replaced")) << box.screen.words();
-  EXPECT_TRUE(box.screen.has("Save recipe/Replace##take"));
-  EXPECT_THAT(box.press("Enter"), IsEmpty());
-  box.wait();
-  EXPECT_TRUE(box.screen.shows("Enter once more replaces")) << box.screen.words();
-  EXPECT_THAT(box.press("Enter"), ElementsAre("show none", "save-preset /data/flights/wide.toml"));
-}
-
-TEST(SaveBox, ReplacesByItsButton) {
-  BoxToSave box;
-  box.type("Save recipe/##Name", "wide", false);
-  EXPECT_THAT(box.click("Save recipe/Replace##take"),
-              ElementsAre("show none", "save-preset /data/flights/wide.toml"));
-}
-
-TEST(SaveBox, TakesTheNameOfAFileThatIsDoubleClickedAndGoesIntoFolders) {
-  BoxToSave box;
-  EXPECT_THAT(box.double_click("Save recipe/Names/wide.toml"), IsEmpty());
-  EXPECT_EQ(box.state.files.typed, "wide.toml");
-  box.wait();
-  box.double_click("Save recipe/Names/2018");
-  EXPECT_EQ(folder_of_box(box), "/data/flights/2018");
-  EXPECT_EQ(box.state.files.typed, "wide.toml") << "the name stays";
-}
-
-TEST(SavePlace, SaysWhatIsInTheWay) {
-  const MadeFolders disk;
-  FileBrowserModel model;
-  FileBrowserState state;
-  state.folder = "/data/flights";
-  constexpr std::array<std::string_view, 2> kEndings = {".toml", ".nadir"};
-  const auto place = [&](const std::string& typed) {
-    state.typed = typed;
-    disk.show(state, model);
-    return save_place(model, state, kEndings);
-  };
-  EXPECT_EQ(place("").why_not, "type a name first");
-  EXPECT_EQ(place(" . ").why_not, "type a name first");
-  EXPECT_EQ(place("new").file, "/data/flights/new.toml");
-  EXPECT_FALSE(place("new").replaces);
-  EXPECT_EQ(place("new.nadir").file, "/data/flights/new.nadir");
-  EXPECT_TRUE(place("loop-2.nadir").replaces);
-  EXPECT_EQ(place("../maps/new").file, "/data/maps/new.toml");
-  EXPECT_EQ(place("/nowhere/new").why_not, "/nowhere: does not exist");
-  state.typed = "2018";
-  disk.show(state, model);
-  EXPECT_TRUE(save_place(model, state, {}).replaces) << "a folder may replace a folder";
-  state.typed = "notes.txt";
-  EXPECT_EQ(save_place(model, state, {}).why_not, "notes.txt is a file");
 }
 
 TEST(FileBoxModel, FollowsTheSessionsOverlay) {

@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
 #include <set>
+#include <utility>
 
 #include "tests/widgets/panels/timeline_run.h"
 #include "widgets/kit/headless_ui.h"
@@ -28,8 +30,9 @@ LayersModel layers_of_new_window() {
 }
 
 struct ShownLayers {
-  explicit ShownLayers(LayersModel shown)
-      : model(std::move(shown)), screen(ThemeName::kDark, 1.0, {280.0, 760.0}) {
+  explicit ShownLayers(LayersModel shown, double width_pt = 280.0, double scale = 1.0)
+      : model(std::move(shown)),
+        screen(ThemeName::kLight, scale, {width_pt * scale, 760.0 * scale}) {
     asked = screen.wait(3, draw());
   }
   [[nodiscard]] std::function<Actions(kit::Ui&)> draw() {
@@ -107,6 +110,32 @@ TEST(LayersPanel, AGripRaisesALayer) {
   const auto asked =
       all_of<actions::MoveLayer>(shown.screen.drag(grip, 0.0, -2.0 * row_height, shown.draw()));
   EXPECT_THAT(asked, ElementsAre(actions::MoveLayer{third, 2}));
+}
+
+TEST(LayersPanel, HasItsControlsBelowEachOtherHoweverNarrowItIs) {
+  for (const double scale : {1.0, 1.5}) {
+    for (double width_pt = 180.0; width_pt <= 400.0; width_pt += 11.0) {
+      ShownLayers shown(layers_of_new_window(), width_pt, scale);
+      std::map<std::string, std::set<std::pair<double, double>>> columns;
+      for (const LayersModel::Row& row : shown.model.rows) {
+        const std::string path = "Layers/" + std::string(enum_name(row.layer));
+        const kit::Rect name =
+            shown.screen.at(path + "/" + std::string(layer_title(row.layer))).rect;
+        for (const char* const part : {"opacity", "##colour", "visible"}) {
+          const kit::Control* const control = shown.screen.find(path + "/" + part);
+          if (control == nullptr) continue;
+          columns[part].insert({control->rect.left, control->rect.right()});
+          EXPECT_LE(control->rect.right(), width_pt * scale);
+          const double least = part == std::string("visible") ? 0.0 : name.right();
+          EXPECT_GE(control->rect.left, least) << path;
+        }
+      }
+      for (const auto& [part, places] : columns)
+        EXPECT_EQ(places.size(), 1U) << part << " at " << width_pt << " by " << scale;
+      EXPECT_TRUE(columns.contains("##colour")) << width_pt;
+      EXPECT_EQ(columns.contains("opacity"), width_pt > 220.0) << width_pt;
+    }
+  }
 }
 
 TEST(LayersPanel, SaysWhyALayerIsEmptyInPlaceOfItsSlider) {

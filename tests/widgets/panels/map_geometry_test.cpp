@@ -202,35 +202,5 @@ TEST(MapReadout, GivesTheCoordinatesThatThePlaneHasThere) {
   EXPECT_THAT(map_readout({1e9, 0.0}, nullptr, &plane).geodetic, IsEmpty());
 }
 
-TEST(GridLines, LieAtRoundCoordinatesAndRunAlongThemWhicheverWayTheMapIsTurned) {
-  for (const double up_rad : {kPi / 2.0, 0.4, 2.2, -3.0}) {
-    MapCamera camera = turned_camera();
-    camera.up_rad = up_rad;
-    const auto lines = grid_lines(camera, kPage, 90.0);
-    ASSERT_GE(lines.size(), 6U);
-    std::vector<double> east, north;
-    for (const GridLine& line : lines) {
-      (line.is_east ? east : north).push_back(line.value_m);
-      for (const Eigen::Vector2d& end : line.ends) {
-        const Eigen::Vector2d place = camera.enu_from_page(end, kPage);
-        EXPECT_NEAR(line.is_east ? place.x() : place.y(), line.value_m, 1e-6);
-        const bool is_on_border = std::abs(end.x()) < 1e-6 || std::abs(end.x() - 800.0) < 1e-6 ||
-                                  std::abs(end.y()) < 1e-6 || std::abs(end.y() - 600.0) < 1e-6;
-        EXPECT_TRUE(is_on_border) << end.transpose();
-      }
-    }
-    for (const auto* values : {&east, &north}) {
-      for (std::size_t i = 1; i < values->size(); ++i) {
-        EXPECT_GE(((*values)[i] - (*values)[i - 1]) / camera.metres_per_px, 90.0 - 1e-6);
-      }
-    }
-  }
-}
-
-TEST(GridLines, AreNoneWhereNeighboursWouldBeTheSameNumber) {
-  EXPECT_THAT(grid_lines({{3e15, 0.0}, 1e-3, kPi / 2.0}, kPage, 90.0), IsEmpty());
-  EXPECT_THAT(grid_lines({{std::nan(""), 0.0}, 1.0, kPi / 2.0}, kPage, 90.0), IsEmpty());
-}
-
 }  // namespace map_geometry_test
 }  // namespace nadir

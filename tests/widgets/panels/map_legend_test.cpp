@@ -76,6 +76,15 @@ TEST_F(MapLegend, NamesClassesOfTheTopview) {
   EXPECT_THAT(names(), IsEmpty()) << "it lies nowhere";
 }
 
+TEST_F(MapLegend, NamesTheClassesOfAMapOfLabelsOnly) {
+  show(Layer::kPicture);
+  EXPECT_THAT(names(), IsEmpty()) << "its picture is seen";
+  model.has_picture = false;
+  EXPECT_THAT(names(), Contains("road")) << "its labels are, in the picture's place";
+  model.look.layer(Layer::kPicture).opacity = 0.0;
+  EXPECT_THAT(names(), IsEmpty());
+}
+
 TEST_F(MapLegend, LeavesOutClassesInAHalf) {
   show(Layer::kTopview);
   show(Layer::kTruth);
@@ -139,8 +148,32 @@ TEST(MapLegendPlate, LiesAtTheLowerRightAndLeavesTheScaleBarItsPlace) {
     EXPECT_LT(plate.height, 0.5 * 540.0);
     EXPECT_EQ(canvas.texts.size(), many.size()) << "all of it is said";
   }
+}
+
+TEST(MapLegendPlate, CountsWhatItHasNoRoomFor) {
+  std::vector<LegendEntry> many;
+  for (int i = 0; i < 14; ++i) {
+    many.push_back({"class " + std::to_string(i), {1, 2, 3}, LegendEntry::Kind::kBar});
+  }
+  // As large as the map of a window of 1280 x 800 at interface scale 2, and smaller.
+  for (const auto& [width, height] : {std::pair(560.0, 420.0), std::pair(400.0, 300.0)}) {
+    RecordingCanvas canvas;
+    const MapFrame frame{{0.0, 0.0, width, height}, {}, 2.0 * 96.0 / 72.0};
+    const PageRect plate = draw_map_legend(canvas, frame, many, theme(ThemeName::kDark));
+    ASSERT_GT(plate.width, 0.0) << width;
+    EXPECT_LE(plate.height, 0.45 * height);
+    EXPECT_LE(plate.width, 0.75 * width);
+    ASSERT_GE(canvas.texts.size(), 2U);
+    EXPECT_EQ(canvas.texts[0].line, "class 0");
+    const std::size_t left_out = many.size() + 1 - canvas.texts.size();
+    EXPECT_EQ(canvas.texts.back().line, "and " + std::to_string(left_out) + " more");
+  }
+}
+
+TEST(MapLegendPlate, IsNotThereWhereNotEvenOneEntryHasRoom) {
+  const std::vector<LegendEntry> many(12, {"lane marking", {1, 2, 3}, LegendEntry::Kind::kBar});
   RecordingCanvas canvas;
-  const MapFrame narrow{{0.0, 0.0, 150.0, 540.0}, {}, 96.0 / 72.0};
+  const MapFrame narrow{{0.0, 0.0, 90.0, 540.0}, {}, 96.0 / 72.0};
   EXPECT_EQ(draw_map_legend(canvas, narrow, many, theme(ThemeName::kDark)).width, 0.0);
   EXPECT_THAT(canvas.fills, IsEmpty());
 }

@@ -76,6 +76,18 @@ TEST_F(MomentPanelTest, HasABarForEachClassAtBothPoses) {
             fmt::format("{:.0f} %", 100.0 * share));
 }
 
+TEST_F(MomentPanelTest, HasADashForAClassThatHasNoCellsOnKnownGround) {
+  RunStep lost = *made.step;
+  lost.estimate.moments.mean = {1e4, 1e4, 0.0};  // far off the map
+  model.step = std::make_shared<const RunStep>(lost);
+  screen.wait(2, drawing());
+  for (const char* row : {"road", "all"}) {
+    const std::string path = std::string("Moment/Agreement by class/Agreement/") + row;
+    EXPECT_EQ(screen.at(path + "/estimate").value, "–") << row;
+    EXPECT_EQ(screen.at(path + "/truth").value, "100 %") << row;
+  }
+}
+
 TEST_F(MomentPanelTest, HoveringAPictureSaysWhatTheCellIs) {
   screen.hover("Moment/Topview and map/seen picture", drawing());
   EXPECT_TRUE(screen.shows("Topview and map"));

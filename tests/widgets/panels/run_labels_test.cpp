@@ -36,6 +36,31 @@ TEST(FittedName, KeepsThreeCharactersWhateverTheRoom) {
   EXPECT_EQ(letters(fitted_name("Wörlitz über Alles", 5.0, letters)), 5.0);
 }
 
+TEST(NamesToldApart, LoseWhatTheyHaveInCommon) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(told_apart(Names{"town-noise-1.5", "town-noise-2", "town-noise-10"}),
+            (Names{"…1.5", "…2", "…10"}));
+  EXPECT_EQ(told_apart(Names{"loop slow 1", "loop fast 1"}), (Names{"…slow…", "…fast…"}));
+  EXPECT_EQ(told_apart(Names{"slow loop", "fast loop"}), (Names{"slow…", "fast…"}));
+}
+
+TEST(NamesToldApart, KeepWordsWholeAndSomethingOfEach) {
+  using Names = std::vector<std::string>;
+  for (const Names& names :
+       {Names{"run", "run-2"}, Names{"noise10", "noise12"}, Names{"a-1", "b-1"}, Names{"sptam"},
+        Names{"same-1", "same-1"}, Names{}}) {
+    const Names told = told_apart(names);
+    ASSERT_EQ(told.size(), names.size());
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      EXPECT_FALSE(told[i].empty());
+      EXPECT_LE(letters(told[i]), letters(names[i]));
+    }
+  }
+  EXPECT_EQ(told_apart(Names{"run", "run-2"}), (Names{"run", "run-2"}));
+  EXPECT_EQ(told_apart(Names{"noise10", "noise12"}), (Names{"noise10", "noise12"}));
+  EXPECT_EQ(told_apart(Names{"old run", "old run-2"}), (Names{"…run", "…run-2"}));
+}
+
 TEST(IncompleteRun, IsOneThatEndedBeforeItsEnd) {
   RunDocument made = made_run(431);
   EXPECT_FALSE(is_incomplete(*RunDocument::from_steps(made), false));

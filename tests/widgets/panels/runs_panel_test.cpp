@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
+#include <set>
+
 #include "tests/widgets/panels/timeline_run.h"
 #include "widgets/kit/headless_ui.h"
 
@@ -39,8 +42,9 @@ RunsModel two_runs() {
 }
 
 struct ShownRuns {
-  explicit ShownRuns(RunsModel shown)
-      : model(std::move(shown)), screen(ThemeName::kDark, 1.0, {340.0, 800.0}) {
+  explicit ShownRuns(RunsModel shown, double width_pt = 340.0, double scale = 1.0)
+      : model(std::move(shown)),
+        screen(ThemeName::kDark, scale, {width_pt * scale, 800.0 * scale}) {
     asked = screen.wait(3, draw());
   }
   [[nodiscard]] std::function<Actions(kit::Ui&)> draw() {
@@ -180,7 +184,7 @@ TEST(RunsPanel, MarksARunThatWasStoppedBeforeItsEnd) {
   EXPECT_FALSE(ShownRuns(model).screen.has("Runs/2/incomplete")) << "it is still going on";
 }
 
-TEST(RunsPanel, OfThreeRunsCutsLongNamesInTheMiddleAndTellsThemWhole) {
+TEST(RunsPanel, OfThreeRunsNamesWhatTellsThemApartAndTellsThemWhole) {
   RunsModel model = two_runs();
   const auto name = [](int number) {
     return "a flight over the town at noon-" + std::to_string(number);
@@ -200,6 +204,40 @@ TEST(RunsPanel, OfThreeRunsCutsLongNamesInTheMiddleAndTellsThemWhole) {
   EXPECT_THAT(shown.screen.at(titles[3]).tooltip, HasSubstr(name(3)));
   EXPECT_FALSE(shown.screen.has("Runs/3/" + name(3)));
   EXPECT_TRUE(shown.screen.shows("noon-3")) << shown.screen.words();
+}
+
+TEST(RunsPanel, CutsNoValueHoweverManyRunsAndHoweverNarrow) {
+  for (const double scale : {1.0, 1.5}) {
+    for (const double width_pt : {220.0, 260.0, 300.0, 340.0, 500.0}) {
+      for (const int count : {1, 2, 3, 5, 9}) {
+        RunsModel model;
+        for (int i = 1; i <= count; ++i) {
+          const double error_m = 0.1 * i;
+          RunDocument made = made_run(200, [&](RunStep& step) { set_error_m(step, error_m); });
+          made.header.seed = static_cast<std::uint64_t>(1'000'000 + i);
+          const std::string name = "over the town at noon-" + std::to_string(i);
+          model.rows.push_back(row_of(i, name, RunDocument::from_steps(made)));
+        }
+        ShownRuns shown(model, width_pt, scale);
+        std::map<std::string, std::set<double>> widths;
+        int values = 0;
+        for (const kit::Control& control : shown.screen.controls()) {
+          const bool is_name = control.label.empty() || control.path.ends_with("/");
+          if (control.kind != kit::ControlKind::kCell || is_name) continue;
+          // What is cut says all of itself in its tooltip.
+          EXPECT_THAT(control.tooltip, ::testing::Not(HasSubstr(control.value))) << control.path;
+          EXPECT_LE(control.rect.right(), width_pt * scale) << control.path;
+          const std::string table = control.path.substr(0, control.path.find('/', 20));
+          widths[table.substr(0, 15)].insert(control.rect.width);
+          ++values;
+        }
+        EXPECT_GE(values, 11 * count);
+        for (const auto& [table, found] : widths) EXPECT_EQ(found.size(), 1U) << table;
+        for (const int number : shown.state.numbers)
+          EXPECT_TRUE(shown.screen.shows("noon-" + std::to_string(number)));
+      }
+    }
+  }
 }
 
 TEST(RunsPanel, ComparesAgainOnlyWhenARunHasChanged) {

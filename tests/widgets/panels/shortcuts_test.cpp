@@ -109,6 +109,14 @@ TEST(ShortcutSheet, HasEveryShortcut) {
   EXPECT_TRUE(sheet.screen.shows("wheel"));
 }
 
+TEST(ShortcutSheet, TellsHowThePanelsAreUsedByTheKeyboard) {
+  Sheet sheet;
+  sheet.screen.type("Shortcuts/Search", "keyboard", sheet, false);
+  EXPECT_EQ(sheet.screen.at("Shortcuts/Keyboard/Next, previous control").value, "Tab, Shift+Tab");
+  sheet.screen.type("Shortcuts/Search", "shift+tab", sheet, false);
+  EXPECT_TRUE(sheet.screen.has("Shortcuts/Keyboard/From the map into the panels"));
+}
+
 TEST(ShortcutSheet, DoesWhatIsClicked) {
   Sheet sheet;
   const std::string menu(offered_as(sheet.model.commands, "play toggle").command->menu);

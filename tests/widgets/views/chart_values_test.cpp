@@ -61,6 +61,41 @@ TEST(BarValues, LeaveOutWhatHasNoBar) {
   EXPECT_THAT(values_of(spec), SizeIs(1));
 }
 
+/// The dashes of a chart, from the left.
+std::vector<double> dashes_of(const ChartSpec& spec) {
+  RecordingCanvas canvas;
+  XyChart(spec, theme(ThemeName::kLight), 1.5).draw(canvas, kRoom, 640, 400);
+  std::vector<double> at;
+  for (const auto& text : canvas.texts) {
+    if (text.line == kNoBar) at.push_back(text.point.x());
+  }
+  return at;
+}
+
+TEST(BarValues, AreADashWhereNoneIsKnownAndNotWhereItIsZero) {
+  ChartSpec spec = logarithmic_bars(3);
+  spec.bars->is_logarithmic = spec.bars->shows_values = false;
+  EXPECT_THAT(dashes_of(spec), IsEmpty());
+  spec.bars->series[0].heights = {0.0, std::numeric_limits<double>::quiet_NaN(), 5.0};
+  spec.bars->series[1].heights = {1.0, 2.0};  // and none for the third
+  const std::vector<double> dashes = dashes_of(spec);
+  ASSERT_THAT(dashes, SizeIs(2));
+  const XyChart chart(spec, theme(ThemeName::kLight), 1.5);
+  RecordingCanvas canvas;
+  chart.draw(canvas, kRoom, 640, 400);
+  // In the middle of the left and of the right half of a group that is 0.7 wide.
+  EXPECT_NEAR(dashes[0], chart.page_from_data({1.0 - 0.175, 0.0}, kRoom).x(), 0.5);
+  EXPECT_NEAR(dashes[1], chart.page_from_data({2.0 + 0.175, 0.0}, kRoom).x(), 0.5);
+}
+
+TEST(BarValues, HaveNoDashesInBarsThatAreNarrowerThanOne) {
+  ChartSpec spec = logarithmic_bars(200);
+  for (double& height : spec.bars->series[0].heights) {
+    height = std::numeric_limits<double>::quiet_NaN();
+  }
+  EXPECT_THAT(dashes_of(spec), IsEmpty());
+}
+
 TEST(BarValues, AreNoneWhereTheyWouldTouchEachOther) {
   EXPECT_THAT(values_of(logarithmic_bars(60)), IsEmpty());
 }

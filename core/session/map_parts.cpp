@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/panels/map_parts.h"
+#include "core/session/map_parts.h"
 
 namespace nadir {
 

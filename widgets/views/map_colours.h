@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "widgets/views/theme.h"
+
+namespace nadir {
+
+/// The colour with its own opacity times a share.
+[[nodiscard]] Rgba faded(Rgba colour, double share);
+
+/// "#RRGGBB" as a colour; nothing for anything else.
+[[nodiscard]] std::optional<Rgba> colour_from_hex(const std::string& text);
+
+/// The lightest colour of the theme over imagery, of what is no line of a run: graticules, rims of what is dark.
+[[nodiscard]] Rgba light_on_imagery(const Theme& theme);
+
+}  // namespace nadir
