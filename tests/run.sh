@@ -3,8 +3,8 @@
 # ../shared/data where that is there; without them the tests that need them are skipped.
 #
 #   bash tests/run.sh            format, dev build, all tests
-#   bash tests/run.sh --all      the same with several sources compiled at once, then clang-tidy, ThreadSanitizer,
-#                                AddressSanitizer + UBSan and fuzzers (CI)
+#   bash tests/run.sh --all      what CI runs: the tests of the whole program in an optimised build, unit tests and fuzzers
+#                                with AddressSanitizer + UBSan, those of threads with ThreadSanitizer, clang-tidy
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -87,8 +87,11 @@ function(nadir_add_test path)
     nadir_plain_if_united(${name})
   endif()
   nadir_unite_sources(${name})
-  if("unit" IN_LIST TEST_LABELS)  # what AddressSanitizer looks at
+  if("unit" IN_LIST TEST_LABELS OR "fuzz" IN_LIST TEST_LABELS)  # what AddressSanitizer looks at
     add_dependencies(unit_tests ${name})
+  endif()
+  if(NOT "unit" IN_LIST TEST_LABELS)  # what CI looks at in an optimised build
+    add_dependencies(whole_tests ${name})
   endif()
   if("slow" IN_LIST TEST_LABELS)  # statistics over many draws, nothing that a sanitizer has not seen in the quick ones
     set(cost 100)
