@@ -177,15 +177,15 @@ struct ActionKind {
 
 template <std::size_t... I>
 std::vector<ActionKind> all_kinds(std::index_sequence<I...> /*all*/) {
-  return {ActionKind{
-      {first_word(std::variant_alternative_t<I, Action>::kForm),
-       std::variant_alternative_t<I, Action>::kForm, std::variant_alternative_t<I, Action>::kHelp},
-      read_action<std::variant_alternative_t<I, Action>>}...};
+  return {ActionKind{{first_word(std::variant_alternative_t<I, AnyAction>::kForm),
+                      std::variant_alternative_t<I, AnyAction>::kForm,
+                      std::variant_alternative_t<I, AnyAction>::kHelp},
+                     read_action<std::variant_alternative_t<I, AnyAction>>}...};
 }
 
 const std::vector<ActionKind>& action_kinds() {
   static const std::vector<ActionKind> kinds =
-      all_kinds(std::make_index_sequence<std::variant_size_v<Action>>());
+      all_kinds(std::make_index_sequence<std::variant_size_v<AnyAction>>());
   return kinds;
 }
 

@@ -21,12 +21,12 @@ std::string again(const Action& action) {
 
 template <std::size_t... I>
 std::vector<Action> one_of_each(std::index_sequence<I...> /*all*/) {
-  return {Action(std::variant_alternative_t<I, Action>())...};
+  return {Action(std::variant_alternative_t<I, AnyAction>())...};
 }
 
 /// Every kind of action as it is made by default, which leaves optional arguments out and texts empty.
 std::vector<Action> default_actions() {
-  return one_of_each(std::make_index_sequence<std::variant_size_v<Action>>());
+  return one_of_each(std::make_index_sequence<std::variant_size_v<AnyAction>>());
 }
 
 TEST(ActionText, OfEveryActionGivesTheSameActionAgain) {
@@ -173,7 +173,7 @@ TEST(ParseAction, NeverThrowsWhateverItIsGiven) {
 
 TEST(ActionHelps, NameEveryActionOnceWithItsForm) {
   const auto helps = action_helps();
-  ASSERT_EQ(helps.size(), std::variant_size_v<Action>);
+  ASSERT_EQ(helps.size(), std::variant_size_v<AnyAction>);
   std::set<std::string_view> names;
   for (const ActionHelp& help : helps) {
     EXPECT_TRUE(help.form.starts_with(help.name)) << help.form;
