@@ -11,6 +11,7 @@
 #include "core/base/angle.h"
 #include "core/map/overhead_map_file.h"
 #include "core/run/evaluate_run.h"
+#include "core/run/place_beside.h"
 
 namespace nadir::cli {
 namespace {
@@ -222,8 +223,12 @@ Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task,
     request.resume_after = std::move(earlier->point);
     earlier_steps = std::move(earlier->steps);
   }
-  Recorder recorder(task,
-                    run_header(**flight, index->map(), map_path.string(), task.preset, request));
+  RunHeader header = run_header(**flight, index->map(), map_path.string(), task.preset, request);
+  if (task.run) {
+    header.flight_path = name_from_run(*task.run, header.flight_path);
+    header.map_path = name_from_run(*task.run, header.map_path);
+  }
+  Recorder recorder(task, std::move(header));
   recorder.begin_after(std::move(earlier_steps));
   Result<LocaliseSummary> summary;
   {

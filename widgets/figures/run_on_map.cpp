@@ -8,6 +8,8 @@
 #include <cmath>
 #include <system_error>
 
+#include "core/run/place_beside.h"
+
 namespace nadir {
 namespace fs = std::filesystem;
 namespace {
@@ -37,7 +39,8 @@ Result<void> lay_on_map(FigureRun& run, const fs::path& map, const MapFacts& fac
   }
   if (!header.map_hash.empty() && header.map_hash != facts.hash) {
     std::error_code error;
-    run.remarks.emplace_back(fs::equivalent(map, header.map_path, error)
+    const auto own = place_beside(run.path, header.map_path, "map.toml");
+    run.remarks.emplace_back(own && fs::equivalent(map, *own, error)
                                  ? "the map has changed since the run"
                                  : "drawn on another map than the run's, or a changed one");
   }
