@@ -85,15 +85,15 @@ class RecordedPage : public Canvas {
                                                                double page_width,
                                                                double page_height,
                                                                double least_size_px) {
-  constexpr double kNothing = 0.5;
-  const Eigen::AlignedBox2d page(Eigen::Vector2d(-kNothing, -kNothing),
-                                 Eigen::Vector2d(page_width + kNothing, page_height + kNothing));
+  constexpr double kSlackPx = 0.5;
+  const Eigen::AlignedBox2d page(Eigen::Vector2d(-kSlackPx, -kSlackPx),
+                                 Eigen::Vector2d(page_width + kSlackPx, page_height + kSlackPx));
   std::vector<const RecordedPage::Text*> seen;
   std::vector<std::string> faults;
   for (const RecordedPage::Text& text : canvas.texts) {
     if (text.line.empty() || !text.clip.intersects(text.box)) continue;
-    const Eigen::AlignedBox2d clip(text.clip.min().array() - kNothing,
-                                   text.clip.max().array() + kNothing);
+    const Eigen::AlignedBox2d clip(text.clip.min().array() - kSlackPx,
+                                   text.clip.max().array() + kSlackPx);
     if (!page.contains(text.box)) faults.push_back("'" + text.line + "' leaves the page");
     if (!clip.contains(text.box)) faults.push_back("'" + text.line + "' is cut off");
     if (text.style.size_px < least_size_px - 0.01) {
@@ -101,7 +101,7 @@ class RecordedPage : public Canvas {
     }
     for (const RecordedPage::Text* const other : seen) {
       const Eigen::AlignedBox2d both = text.box.intersection(other->box);
-      if (!both.isEmpty() && both.sizes().minCoeff() > kNothing) {
+      if (!both.isEmpty() && both.sizes().minCoeff() > kSlackPx) {
         faults.push_back("'" + text.line + "' covers '" + other->line + "'");
       }
     }

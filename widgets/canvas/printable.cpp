@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/canvas/printable.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "core/base/utf8.h"
@@ -19,6 +20,8 @@ std::size_t character_length(std::string_view text) {
 }  // namespace
 
 std::string printable(const std::string& text) {
+  const auto is_plain = [](unsigned char letter) { return letter >= 0x20 && letter < 0x80; };
+  if (std::all_of(text.begin(), text.end(), is_plain)) return text;
   std::string out;
   for (std::string_view left = text; !left.empty();) {
     const std::size_t length = character_length(left);

@@ -88,7 +88,7 @@ bool Ui::is_pressed(const Chord& chord, bool with_repeats) const {
   if (wants_text() && !is_never_text(chord)) return false;
   const bool is_popup_open = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
   if (is_popup_open) return false;
-  if (frame_->state.focused_number != 0 &&
+  if (frame_->state.focused_number != 0 && is_plain(chord.modifiers) &&
       (is_arrow(chord.key) || chord.key == Key::kEnter || chord.key == Key::kEscape))
     return false;
   if (frame_->takes_key(chord)) return false;

@@ -48,6 +48,8 @@ bool Ui::button(const std::string& label, ButtonLook look, const Hint& hint, Ico
   const ButtonColours colours = colours_of(look, pressed, false, frame.state.look);
   if (colours.fill != 0) frame.fill(placed.box, frame.shade(colours.fill));
   if (colours.border != 0) frame.frame(placed.box, frame.shade(colours.border));
+  if (frame.ring && frame.has_focus(placed.id))
+    frame.ring->is_on_accent = look == ButtonLook::kPrimary;
   ImRect inside = placed.box;
   bool is_whole = true;
   if (icon != Icon::kNone) {

@@ -10,19 +10,21 @@
 namespace nadir::kit {
 namespace {
 
-/// A frame two pixels wide along the box's edge, within a thinner one that parts it from what the control is filled with.
-void draw_ring(const UiContext::State& state, ImGuiWindow& window, const ImRect& box) {
+/// A frame two pixels wide along the box's edge, within a thinner one that parts it from what the control is filled with; on
+/// what has the frame's own colour, in that of its words, with some of that colour around it.
+void draw_ring(const UiContext::State& state, const Ui::Frame::Ring& ring) {
   const float wide = std::max(2.0F, std::floor(2.0F * narrow(state.scale)));
   const float radius = 4.0F * narrow(state.scale);
-  ImRect outer = box;
-  outer.Expand(-wide / 2.0F);
-  ImRect inner = box;
+  ImRect outer = ring.box;
+  outer.Expand(-wide * (ring.is_on_accent ? 1.5F : 0.5F));
+  ImRect inner = ring.box;
   inner.Expand(-wide - 0.5F);
-  ImDrawList& list = *window.DrawList;
-  list.PushClipRect(window.ClipRect.Min, window.ClipRect.Max);
-  if (inner.GetWidth() > 4.0F && inner.GetHeight() > 4.0F)
+  ImDrawList& list = *ring.window->DrawList;
+  list.PushClipRect(ring.clip.Min, ring.clip.Max);
+  if (!ring.is_on_accent && inner.GetWidth() > 4.0F && inner.GetHeight() > 4.0F)
     list.AddRect(inner.Min, inner.Max, state.look.panel, radius, 0, 1.0F);
-  list.AddRect(outer.Min, outer.Max, state.look.accent, radius, 0, wide);
+  list.AddRect(outer.Min, outer.Max, ring.is_on_accent ? state.look.on_accent : state.look.accent,
+               radius, 0, wide);
   list.PopClipRect();
 }
 
@@ -51,13 +53,11 @@ void Ui::Frame::move_focus() {
   const auto& buttons = state.input.buttons;
   if (std::any_of(buttons.begin(), buttons.end(), [](bool is_down) { return is_down; })) {
     focus.is_shown = focus.wants_first = false;
+    state.focused_number = 0;  // a click on a number gives it back to that
     for (auto& [layer, left] : focus.below) left.is_shown = false;
     return;
   }
-  Stops stops;
-  for (const PlacedStop& stop : focus.stops) {
-    if (stop.layer == focus.layer) stops.push_back(stop);
-  }
+  const Stops& stops = focus.stops;
   if (focus.wants_first && !stops.empty()) {
     focus.wants_first = false;
     const auto first = std::find_if(stops.begin(), stops.end(), [&stops](const PlacedStop& stop) {
@@ -65,23 +65,45 @@ void Ui::Frame::move_focus() {
     });
     if (focus.is_shown && place_of(stops, focus.id) == stops.size()) arrive_at(*first);
   }
+  go_to_end();
   const Modifiers& held = state.input.modifiers;
   if (held.alt || held.super) return;
   if (went_down(Key::kTab, true)) return walk_by_tab(stops, held);
+  if (ends_by_escape()) return;
   if (!focus.is_shown || held.ctrl || held.shift || state.draft.is_typing) return;
   const std::size_t here = place_of(stops, focus.id);
-  if (here == stops.size()) return;
-  if (focus.layer == 0 && went_down(Key::kEscape, false)) {
-    focus.is_shown = false;
-    focus.took = Key::kEscape;
-    return;
+  if (here == stops.size() || walk_through_menus() || stops[here].group == 0) return;
+  if (went_down(Key::kHome, false) || went_down(Key::kEnd, false)) {
+    focus.to_end = went_down(Key::kHome, false) ? -1 : 1;
+    focus.frames_to_end = 2;
+    state.next_frame_within_s = 0.0;
   }
-  if (walk_through_menus()) return;
-  if (stops[here].group == 0) return;
   const PlacedStop* const next = next_in_group(stops, stops[here]);
   if (next == nullptr || next->id == focus.id) return;
   arrive_at(*next);
   focus.was_chosen = next->is_chosen_by_arrows;
+}
+
+/// Home and End went to an end of what was in sight; in this frame the true end is there.
+void Ui::Frame::go_to_end() {
+  Focus& focus = state.focus;
+  if (focus.frames_to_end == 0 || --focus.frames_to_end == 0) return;
+  const std::size_t here = place_of(focus.stops, focus.id);
+  if (!focus.is_shown || here == focus.stops.size() || focus.stops[here].group == 0) return;
+  const PlacedStop& end = *end_of_group(focus.stops, focus.stops[here].group, focus.to_end > 0);
+  if (end.id != focus.id) arrive_at(end);
+}
+
+/// Escape ends what is typed or stepped, or gives the keyboard back, and does nothing else then. Boxes close by it.
+bool Ui::Frame::ends_by_escape() {
+  Focus& focus = state.focus;
+  if (focus.layer != 0 || !went_down(Key::kEscape, false)) return false;
+  const Modifiers& held = state.input.modifiers;
+  const bool gives_back = focus.is_shown && !state.draft.is_typing && !held.ctrl && !held.shift;
+  if (!gives_back && !state.draft.is_typing && state.focused_number == 0) return false;
+  focus.took = Key::kEscape;
+  if (gives_back) focus.is_shown = false;
+  return true;
 }
 
 void Ui::Frame::walk_by_tab(const Stops& stops, const Modifiers& held) {
@@ -121,14 +143,14 @@ bool Ui::Frame::walk_through_menus() {
   // The neighbour of the menu of a bar that this one hangs on.
   const auto left = focus.below.find(focus.layer - 1);
   if (left == focus.below.end()) return false;
-  const std::size_t here = place_of(focus.stops, left->second.id);
-  if (here == focus.stops.size() || focus.stops[here].group == 0 ||
-      !goes_sideways(focus.stops[here].arrows))
+  const std::size_t here = place_of(focus.lower, left->second.id);
+  if (here == focus.lower.size() || focus.lower[here].group == 0 ||
+      !goes_sideways(focus.lower[here].arrows))
     return false;
   std::vector<ImGuiID> bar;
   std::size_t at = 0;
-  for (const PlacedStop& stop : focus.stops) {
-    if (stop.group != focus.stops[here].group) continue;
+  for (const PlacedStop& stop : focus.lower) {
+    if (stop.group != focus.lower[here].group) continue;
     if (stop.id == left->second.id) at = bar.size();
     bar.push_back(stop.id);
   }
@@ -146,6 +168,7 @@ void Ui::Frame::add_stop(const ImRect& box, ImGuiID id, const Stop& stop) {
   ImGuiWindow* const window = ImGui::GetCurrentWindow();
   if (!stop.is_stop || is_disabled() || window->SkipItems || (window->Flags & kUntouched) != 0)
     return;
+  if (!drawn_stops.empty() && drawn_stops.back().id == id) return;  // its typing begins
   PlacedStop placed;
   static_cast<Stop&>(placed) = stop;
   placed.id = id;
@@ -156,7 +179,7 @@ void Ui::Frame::add_stop(const ImRect& box, ImGuiID id, const Stop& stop) {
   Focus& focus = state.focus;
   if (focus.id != id || !focus.is_shown) return;
   is_noting_focused = true;
-  ring = Ring{window, box};
+  ring = Ring{window, box, window->ClipRect, false};
   if (!focus.has_arrived) return;
   // Its neighbours come into sight with it, so that lists which draw no more than that can be walked through.
   ImRect seen = box;
@@ -166,7 +189,8 @@ void Ui::Frame::add_stop(const ImRect& box, ImGuiID id, const Stop& stop) {
 }
 
 bool Ui::Frame::has_focus(ImGuiID id) const {
-  return state.focus.is_shown && state.focus.id == id && !state.draft.is_typing && !is_disabled();
+  return id != 0 && state.focus.is_shown && state.focus.id == id && !state.draft.is_typing &&
+         !is_disabled();
 }
 
 bool Ui::Frame::has_arrived(ImGuiID id) const {
@@ -182,7 +206,7 @@ bool Ui::Frame::is_pressed_by_key(ImGuiID id) const {
 }
 
 int Ui::Frame::arrow_steps(ImGuiID id, Arrows arrows) const {
-  if (!has_focus(id) || state.focus.has_arrived) return 0;
+  if (!has_focus(id) || state.focus.has_arrived || !is_plain(state.input.modifiers)) return 0;
   int steps = 0;
   if (goes_sideways(arrows))
     steps += (went_down(Key::kRight, true) ? 1 : 0) - (went_down(Key::kLeft, true) ? 1 : 0);
@@ -194,26 +218,26 @@ int Ui::Frame::arrow_steps(ImGuiID id, Arrows arrows) const {
 bool Ui::Frame::takes_key(const Chord& chord) const {
   const Focus& focus = state.focus;
   if (chord.key != Key::kNone && chord.key == focus.took) return true;
-  // It ends the typing; boxes close by it as well.
-  if (state.draft.is_typing && focus.layer == 0 && chord.key == Key::kEscape) return true;
   const bool is_number = state.focused_number != 0;
-  if ((!focus.is_shown && !is_number) || chord.modifiers.ctrl || chord.modifiers.alt) return false;
+  if ((!focus.is_shown && !is_number) || !is_plain(chord.modifiers)) return false;
   const Stop& stop = focus.stop;
+  // Among others of a group it goes by the arrows alone.
+  const bool has_arrows = focus.is_shown && (stop.group == 0 || !chord.modifiers.shift);
   switch (chord.key) {
     case Key::kSpace:
     case Key::kEnter:
-      return focus.is_shown && stop.takes_press && !chord.modifiers.shift;
+      return focus.is_shown && (stop.takes_press || stop.takes_digits) && !chord.modifiers.shift;
     case Key::kLeft:
     case Key::kRight:
-      return focus.is_shown && goes_sideways(stop.arrows);
+      return has_arrows && goes_sideways(stop.arrows);
     case Key::kUp:
     case Key::kDown:
-      return focus.is_shown && (stop.opens_down || goes_up_and_down(stop.arrows));
+      return (focus.is_shown && stop.opens_down) || (has_arrows && goes_up_and_down(stop.arrows));
     case Key::kHome:
     case Key::kEnd:
-      return focus.is_shown && stop.group != 0;
+      return has_arrows && stop.group != 0;
     case Key::kDelete:
-      return focus.is_shown && stop.takes_delete;
+      return stop.takes_delete;
     default:
       break;
   }
@@ -222,31 +246,47 @@ bool Ui::Frame::takes_key(const Chord& chord) const {
   return (is_digit || is_sign) && (is_number || (focus.is_shown && stop.takes_digits));
 }
 
-void Ui::Frame::end_focus() {
+/// What opened above has the keyboard from now on, and what lies below gets it back where it was.
+void Ui::Frame::change_layer() {
   Focus& focus = state.focus;
-  if (ring) draw_ring(state, *ring->window, ring->box);
   const int before = std::exchange(focus.layer, top_layer);
-  if (focus.layer > before) {
-    focus.below[before] = {focus_before, focus.is_shown};
+  const bool is_other_box = std::exchange(focus.box, top_box) != top_box && top_box != 0;
+  if (focus.layer > before) focus.below[before] = {focus_before, focus.is_shown, focus.place};
+  if (focus.layer > before || (focus.layer == before && is_other_box)) {
     if (focus.id == focus_before) focus.id = 0;  // else something above has taken it already
     focus.wants_first = true;
+    focus.place = 0;
+    state.focused_number = 0;
   } else if (focus.layer < before) {
     const auto left = focus.below.find(focus.layer);
     if (left != focus.below.end()) {
       focus.id = left->second.id;
       focus.is_shown = left->second.is_shown;
+      focus.place = left->second.place;
     }
     std::erase_if(focus.below, [&](const auto& one) { return one.first >= focus.layer; });
+    if (is_other_box) focus.wants_first = true;  // where that one is not in it
   }
-  focus.stops = std::move(drawn_stops);
+}
+
+void Ui::Frame::end_focus() {
+  Focus& focus = state.focus;
+  if (ring) draw_ring(state, *ring);
+  change_layer();
+  focus.stops.clear();
+  focus.lower.clear();
+  for (const PlacedStop& stop : drawn_stops)
+    (stop.layer == focus.layer ? focus.stops : focus.lower).push_back(stop);
   focus.wanted_menu = 0;
+  if (place_of(focus.stops, state.focused_number) == focus.stops.size()) state.focused_number = 0;
   const std::size_t place = place_of(focus.stops, focus.id);
   if (place < focus.stops.size()) {
     focus.place = place;
     focus.stop = focus.stops[place];
-  } else if (focus.id != 0 && !focus.wants_first) {
+  } else if (!focus.wants_first) {
     focus.stop = {};
     focus.stop.takes_press = false;
+    if (focus.is_shown) focus.id = 0;  // nothing takes keys again by coming back
   }
 }
 

@@ -45,15 +45,20 @@ struct Focus {
   bool is_shown = false;                         ///< It has a frame around it, and its keys.
   bool has_arrived = false, was_chosen = false;  ///< In this frame; by an arrow.
   Key took = Key::kNone;                         ///< Key that has moved it in this frame.
-  bool wants_first = false;       ///< Something opened: its first control, once it is there.
-  ImGuiID wanted_menu = 0;        ///< Of a bar: opens in the frame that draws it.
-  Stop stop;                      ///< Of `id`, as it was drawn last.
-  std::size_t place = 0;          ///< Of `id` among all, where it goes on when that one is gone.
-  int layer = 0;                  ///< Uppermost one of the last frame: of a box, of a popup.
-  std::vector<PlacedStop> stops;  ///< Of the last frame, in the order in which they were drawn.
+  bool wants_first = false;  ///< Something opened: its first control, once it is there.
+  ImGuiID wanted_menu = 0;   ///< Of a bar: opens in the frame that draws it.
+  Stop stop;                 ///< Of `id`, as it was drawn last.
+  std::size_t place = 0;     ///< Of `id` among `stops`: where it goes on when that is gone.
+  int layer = 0;             ///< Uppermost one of the last frame: of a box, of a popup.
+  ImGuiID box = 0;           ///< Uppermost one of the last frame; 0: none.
+  /// Of the last frame, in the order in which they were drawn: of the uppermost layer, and of those below.
+  std::vector<PlacedStop> stops, lower;
+  /// On its way to the first (-1) or last (1) row of a list that draws only what is in sight, for so many frames.
+  int to_end = 0, frames_to_end = 0;
   struct Left {
     ImGuiID id = 0;
     bool is_shown = false;
+    std::size_t place = 0;
   };
   std::map<int, Left> below;  ///< Where it was before something opened above, by layer.
 };
@@ -61,6 +66,10 @@ struct Focus {
 using Stops = std::vector<PlacedStop>;
 
 [[nodiscard]] bool went_down(Key key, bool with_repeats);
+/// Keys of a control are those without these; with them they are the window's.
+[[nodiscard]] inline bool is_plain(const Modifiers& held) {
+  return !held.ctrl && !held.alt && !held.super;
+}
 [[nodiscard]] inline bool goes_sideways(Arrows arrows) {
   return arrows == Arrows::kSideways || arrows == Arrows::kAll;
 }
@@ -75,6 +84,8 @@ using Stops = std::vector<PlacedStop>;
 [[nodiscard]] const PlacedStop* next_stop(const Stops& stops, const Focus& focus, bool is_back);
 /// The first control of the next region; nullptr: none.
 [[nodiscard]] const PlacedStop* next_region(const Stops& stops, const Focus& focus, bool is_back);
+/// The first one of a group that is there, or the last.
+[[nodiscard]] const PlacedStop* end_of_group(const Stops& stops, ImGuiID group, bool is_last);
 /// Where an arrow goes within a group, or Home and End; nullptr where none of its keys was pressed.
 [[nodiscard]] const PlacedStop* next_in_group(const Stops& stops, const PlacedStop& here);
 

@@ -134,11 +134,13 @@ struct Ui::Frame {
   std::vector<ImRect> box_places;
   ImGuiWindow* lowest_box = nullptr;  ///< What darkens the window below the first box.
   int top_layer = 0;
+  ImGuiID top_box = 0;
   ImGuiID focus_before = 0;        ///< Where the keyboard was when the frame began.
   bool is_noting_focused = false;  ///< Of what note() writes down next.
   struct Ring {
     ImGuiWindow* window = nullptr;
-    ImRect box;
+    ImRect box, clip;
+    bool is_on_accent = false;
   };
   std::optional<Ring> ring;
 
@@ -157,6 +159,7 @@ struct Ui::Frame {
 
   struct OpenTable {
     std::vector<Column> columns;
+    bool is_only_read = false;
     int column = -1;       ///< Drawn last in this row.
     std::string row_path;  ///< Of the row whose cells are drawn.
     std::size_t prefix_length = 0, table_prefix_length = 0;
@@ -200,6 +203,8 @@ struct Ui::Frame {
   /// Moves the keyboard's focus as the keys say, before anything is drawn.
   void begin_focus();
   void move_focus();
+  void go_to_end();
+  [[nodiscard]] bool ends_by_escape();
   void walk_by_tab(const Stops& stops, const Modifiers& held);
   [[nodiscard]] bool walk_through_menus();
   void arrive_at(const PlacedStop& stop);
@@ -215,6 +220,9 @@ struct Ui::Frame {
   [[nodiscard]] bool takes_key(const Chord& chord) const;
   /// Draws the frame around what has the keyboard and keeps what was drawn for the next frame.
   void end_focus();
+  void change_layer();
+  /// Has a list that draws only what is in sight draw the end that the keyboard goes to.
+  void draw_end(ImGuiListClipper& clipper, std::size_t count) const;
   void draw_label(const Placed& placed, const std::string& label, bool is_marked = false);
 
   /// Writes a control down; the returned one may be completed until the next.
@@ -274,7 +282,7 @@ struct Ui::Frame {
                            double value,
                            const NumberOptions& options);
 
-  RowInput press_row(const ImRect& box, ImGuiID id, bool is_selected);
+  RowInput press_row(const ImRect& box, ImGuiID id, Stop stop);
   [[nodiscard]] bool right_clicked() const;
   void draw_table_header(bool is_sortable);
   void end_row();

@@ -12,11 +12,18 @@ Rect Ui::room() const {
   return {at.x, at.y, std::max(0.0F, left.x), std::max(0.0F, left.y)};
 }
 
+void Ui::Frame::draw_end(ImGuiListClipper& clipper, std::size_t count) const {
+  if (state.focus.frames_to_end == 0 || count == 0) return;
+  const int row = state.focus.to_end < 0 ? 0 : static_cast<int>(count) - 1;
+  clipper.ForceDisplayRangeByIndices(row, row + 1);
+}
+
 void Ui::clipped_rows(std::size_t count,
                       double row_height,
                       const std::function<void(std::size_t)>& draw_row) {
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(count), narrow(row_height));
+  frame_->draw_end(clipper, count);
   while (clipper.Step()) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
       draw_row(static_cast<std::size_t>(i));

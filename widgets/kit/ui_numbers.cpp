@@ -22,7 +22,7 @@ Stop number_stop(const NumberOptions& options) {
 
 /// What is typed over a number that has the keyboard takes its place.
 bool is_begin_of_number(const FrameInput& input) {
-  return !input.characters.empty() && !input.modifiers.ctrl && !input.modifiers.alt &&
+  return !input.characters.empty() &&
          input.characters.find_first_not_of("0123456789.-") == std::string::npos;
 }
 
@@ -96,7 +96,10 @@ Edit<double> Ui::Frame::type_number(const ImRect& box,
     edit.refused.clear();
   }
   const bool has_gone_on = state.focus.has_arrived && state.focus.id != id;
-  if (!has_gone_on) state.focused_number = was_escaped ? 0 : id;
+  const auto& buttons = state.input.buttons;
+  const bool was_left =
+      std::any_of(buttons.begin(), buttons.end(), [](bool is_down) { return is_down; });
+  if (!has_gone_on) state.focused_number = was_escaped || was_left ? 0 : id;
   return finish_number(id, value, edit, true);
 }
 
@@ -123,17 +126,16 @@ Edit<double> Ui::Frame::edit_number(const ImRect& box,
             number_stop(options));
   const ImGuiIO& io = ImGui::GetIO();
   if (has_focus(id)) state.focused_number = id;
-  const bool had_focus = state.focused_number == id;
-  if (ImGui::IsMouseClicked(0) && !pressed.is_hovered && had_focus) state.focused_number = 0;
+  const bool has_keys = state.focused_number == id && !is_disabled() && !io.WantTextInput &&
+                        is_plain(state.input.modifiers);
   Edit<double> edit;
   edit.value = value;
-  const bool enters = had_focus && !is_disabled() && !ImGui::GetIO().WantTextInput &&
-                      (ImGui::IsKeyPressed(static_cast<int>(Key::kEnter), false) ||
-                       ImGui::IsKeyPressed(static_cast<int>(Key::kPadEnter), false));
-  const std::string typed = had_focus && !is_disabled() && !ImGui::GetIO().WantTextInput &&
-                                    is_begin_of_number(state.input)
-                                ? state.input.characters
-                                : std::string();
+  // Space is the window's, but for what has the keyboard's frame.
+  const bool enters =
+      has_keys && (went_down(Key::kEnter, false) || went_down(Key::kPadEnter, false) ||
+                   (has_focus(id) && !io.KeyShift && went_down(Key::kSpace, false)));
+  const std::string typed =
+      has_keys && is_begin_of_number(state.input) ? state.input.characters : std::string();
   if ((pressed.was_clicked && (io.KeyCtrl || ImGui::IsMouseDoubleClicked(0))) || enters ||
       !typed.empty()) {
     if (ImGui::GetCurrentContext()->ActiveId == id) ImGui::ClearActiveID();
@@ -160,7 +162,7 @@ Edit<double> Ui::Frame::edit_number(const ImRect& box,
     }
     if (!pressed.is_held && !current->was_dragged) state.focused_number = id;
     edit = finish_number(id, value, edit, !pressed.is_held);
-  } else if (had_focus && !is_disabled()) {
+  } else if (has_keys) {
     const int steps = (went_down(Key::kRight, true) || went_down(Key::kUp, true) ? 1 : 0) -
                       (went_down(Key::kLeft, true) || went_down(Key::kDown, true) ? 1 : 0);
     if (went_down(Key::kEscape, true)) state.focused_number = 0;

@@ -140,7 +140,8 @@ struct TableOptions {
   double height = 0.0;  ///< 0: as high as its rows; more: scrolls inside.
   bool has_header = true;
   bool is_sortable = false;
-  bool is_dense = false;  ///< Half the room between columns: many numbers in a narrow panel.
+  bool is_dense = false;      ///< Half the room between columns: many numbers in a narrow panel.
+  bool is_only_read = false;  ///< Its rows do nothing: keys go through them and press none.
 };
 
 /// What the user did to a row, a list's or a table's.
@@ -158,6 +159,7 @@ struct ListRow {
   bool is_selected = false;
   TextLook look = TextLook::kNormal;
   bool is_detail_number = false;  ///< The detail is written in the face for numbers.
+  bool is_stop = true;            ///< False: of a list that has keys of its own.
   Hint hint = {};
 };
 

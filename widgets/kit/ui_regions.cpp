@@ -104,6 +104,7 @@ Overlay Ui::overlay(const std::string& name, const OverlayStyle& style) {
   frame.note(ControlKind::kOverlay, name,
              {window->Pos, {window->Pos.x + window->Size.x, window->Pos.y + window->Size.y}});
   frame.box_places.push_back(window->Rect());
+  frame.top_box = window->ID;
   const bool was_escaped = ImGui::GetCurrentContext()->OpenPopupStack.Size == 0 &&
                            ImGui::IsKeyPressed(static_cast<int>(Key::kEscape), false);
   const std::size_t length = frame.prefix.size();

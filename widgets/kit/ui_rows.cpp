@@ -9,13 +9,21 @@ namespace {
 
 constexpr double kListRowHeight = 28.0;
 
+/// Of the rows of one list, which share the scope around them. A row without words of its own is named by a scope, and its
+/// list lies around that.
+ImGuiID list_of(std::string scope, const std::string& name) {
+  if (name.starts_with("##") && !scope.empty()) {
+    scope.pop_back();
+    scope.erase(scope.rfind('/') + 1);
+  }
+  return ImHashStr(scope.c_str(), scope.size(), ImGui::GetCurrentWindow()->ID);
+}
+
 }  // namespace
 
-RowInput Ui::Frame::press_row(const ImRect& box, ImGuiID id, bool is_selected) {
-  const ImGuiTable* const table = ImGui::GetCurrentTable();
-  const Stop stop{.arrows = Arrows::kUpDown,
-                  .group = table != nullptr ? table->ID : ImGui::GetCurrentWindow()->ID,
-                  .is_selected = is_selected};
+/// @param stop  Of which group it is, whether it is selected, and can be pressed.
+RowInput Ui::Frame::press_row(const ImRect& box, ImGuiID id, Stop stop) {
+  stop.arrows = Arrows::kUpDown;
   const Pressed pressed = press(box, id, ImGuiButtonFlags_AllowItemOverlap, stop);
   ImGui::SetItemAllowOverlap();
   RowInput input;
@@ -24,7 +32,7 @@ RowInput Ui::Frame::press_row(const ImRect& box, ImGuiID id, bool is_selected) {
   input.was_double_clicked = pressed.is_hovered && ImGui::IsMouseDoubleClicked(0);
   input.was_right_clicked = input.is_hovered && right_clicked();
   input.modifiers = state.input.modifiers;
-  if (is_selected) {
+  if (stop.is_selected) {
     fill(box, shade(state.look.accent_soft));
   } else if (pressed.is_hovered || pressed.is_held) {
     fill(box, state.look.hovered);
@@ -41,7 +49,10 @@ RowInput Ui::list_row(const std::string& name, const ListRow& row) {
   const Look& colours = frame.state.look;
   const float width = frame.next_width > 0.0F ? frame.next_width : frame.room_width();
   const Placed placed = frame.place(name, {width, frame.d(kListRowHeight)}, 0.0F);
-  const RowInput input = frame.press_row(placed.box, placed.id, row.is_selected);
+  const RowInput input = frame.press_row(placed.box, placed.id,
+                                         {.is_stop = row.is_stop,
+                                          .group = list_of(frame.prefix, name),
+                                          .is_selected = row.is_selected});
   ImRect inside = placed.box;
   inside.Expand({-frame.d(8), 0.0F});
   if (row.colour) {

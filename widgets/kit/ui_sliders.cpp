@@ -37,8 +37,8 @@ double value_at(double share, const NumberOptions& options) {
 std::optional<double> Ui::Frame::number_by_keys(ImGuiID id,
                                                 double value,
                                                 const NumberOptions& options) const {
-  if (has_focus(id) && options.reset && ImGui::IsKeyPressed(static_cast<int>(Key::kDelete), false))
-    return options.reset;
+  if (!has_focus(id) || !is_plain(state.input.modifiers)) return std::nullopt;
+  if (options.reset && went_down(Key::kDelete, false)) return options.reset;
   const int steps = arrow_steps(id, Arrows::kAll) * (ImGui::GetIO().KeyShift ? kManyTrackSteps : 1);
   if (steps == 0) return std::nullopt;
   if (options.step <= 0.0 && options.is_logarithmic)

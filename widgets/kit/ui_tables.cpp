@@ -46,6 +46,7 @@ Scope Ui::table(const std::string& name,
   }
   Frame::OpenTable open;
   open.columns = {columns.begin(), columns.end()};
+  open.is_only_read = options.is_only_read;
   open.prefix_length = frame.prefix.size();
   frame.prefix += name + "/";
   frame.sorting.reset();
@@ -119,7 +120,9 @@ RowInput Ui::row(const std::string& name, bool is_selected) {
   const ImRect clip = window->ClipRect;
   window->ClipRect = imgui_table->BgClipRect;
   frame.add_part(box, id);
-  const RowInput input = frame.press_row(box, id, is_selected);
+  const RowInput input = frame.press_row(
+      box, id,
+      {.takes_press = !table.is_only_read, .group = imgui_table->ID, .is_selected = is_selected});
   Control& control = frame.note(ControlKind::kRow, name, box);
   control.is_selected = is_selected;
   window->ClipRect = clip;
@@ -203,6 +206,7 @@ void Ui::clipped_table_rows(std::size_t count, const std::function<void(std::siz
   frame.end_row();
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(count), frame.d(kRowHeight));
+  frame.draw_end(clipper, count);
   while (clipper.Step()) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
       draw_row(static_cast<std::size_t>(i));

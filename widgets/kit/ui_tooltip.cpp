@@ -11,6 +11,7 @@ namespace nadir::kit {
 namespace {
 
 constexpr double kDelayS = 0.45;
+constexpr double kFocusedForS = 4.0;  ///< What the keyboard came to; longer it would be in the way.
 constexpr std::size_t kCharacters = 60, kCharactersMore = 12;  ///< Of a line.
 
 /// All words of tooltips are wrapped here. @returns characters of the last line.
@@ -134,6 +135,10 @@ void Ui::Frame::show_tooltip() {
           std::min(state.next_frame_within_s, kDelayS - state.hovered_s + 0.01);
       return;
     }
+    if (tooltip->place && state.hovered_s > kFocusedForS) return;
+    if (tooltip->place)
+      state.next_frame_within_s =
+          std::min(state.next_frame_within_s, kFocusedForS - state.hovered_s + 0.01);
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(d(10), d(7)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, d(4));

@@ -65,6 +65,14 @@ const PlacedStop* next_region(const Stops& stops, const Focus& focus, bool is_ba
   return found == stops.end() ? nullptr : &*found;
 }
 
+const PlacedStop* end_of_group(const Stops& stops, ImGuiID group, bool is_last) {
+  const PlacedStop* end = nullptr;
+  for (const PlacedStop& stop : stops) {
+    if (stop.group == group && (is_last || end == nullptr)) end = &stop;
+  }
+  return end;
+}
+
 const PlacedStop* next_in_group(const Stops& stops, const PlacedStop& here) {
   const bool is_first = went_down(Key::kHome, false), is_last = went_down(Key::kEnd, false);
   int by = 0;
@@ -72,7 +80,8 @@ const PlacedStop* next_in_group(const Stops& stops, const PlacedStop& here) {
     by += (went_down(Key::kRight, true) ? 1 : 0) - (went_down(Key::kLeft, true) ? 1 : 0);
   if (goes_up_and_down(here.arrows))
     by += (went_down(Key::kDown, true) ? 1 : 0) - (went_down(Key::kUp, true) ? 1 : 0);
-  if (by == 0 && !is_first && !is_last) return nullptr;
+  if (is_first || is_last) return end_of_group(stops, here.group, is_last);
+  if (by == 0) return nullptr;
   std::vector<const PlacedStop*> group;
   std::ptrdiff_t at = 0;
   for (const PlacedStop& stop : stops) {
@@ -81,8 +90,6 @@ const PlacedStop* next_in_group(const Stops& stops, const PlacedStop& here) {
     group.push_back(&stop);
   }
   const auto last = static_cast<std::ptrdiff_t>(group.size()) - 1;
-  if (is_first) return group.front();
-  if (is_last) return group.back();
   return group[static_cast<std::size_t>(std::clamp(at + by, std::ptrdiff_t{0}, last))];
 }
 

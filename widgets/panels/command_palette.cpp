@@ -141,6 +141,7 @@ void move_highlight(const kit::Ui& ui, std::size_t count, PaletteState& state) {
   const std::size_t end = std::min(rows.size(), state.first_shown + state.rows_shown);
   for (std::size_t i = std::min(state.first_shown, end); i < end; ++i) {
     kit::ListRow look = rows[i].look;
+    look.is_stop = false;  // the highlight is moved while words are typed
     look.is_selected = i == state.highlighted && (state.begun.empty() || state.has_moved);
     const auto pale = ui.disabled(!rows[i].why_not.empty(), rows[i].why_not);
     if (ui.list_row(rows[i].label, look)) asked = chosen(rows[i], state);

@@ -72,7 +72,7 @@ ExportModel export_model(const Session& session, const ExportState& state, Folde
   const std::string shown = folder_of(place.file, model.files.home) + "/" +
                             std::filesystem::path(place.file).filename().string();
   model.sentence = export_sentence(*kind, session, shown, model.width_px);
-  model.left_out = left_out_sentence(*kind, session.view());
+  model.left_out = left_out_sentence(*kind, session);
   return model;
 }
 

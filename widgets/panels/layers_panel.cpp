@@ -194,6 +194,7 @@ void draw_class_shares(kit::Ui& ui, const LayersModel& model) {
   const std::array<kit::Column, 2> columns = {kit::Column{"class"}, kit::Column{"share"}};
   kit::TableOptions options;
   options.has_header = false;
+  options.is_only_read = true;
   const auto table = ui.table("shares", columns, options);
   if (!table) return;
   for (const LayersModel::ClassShare& of_class : model.classes) {

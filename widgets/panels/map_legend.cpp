@@ -163,56 +163,75 @@ class LegendMaker {
   std::vector<LegendEntry> entries_;
 };
 
-/// How wide the longest row is where rows are broken at a width.
-double widest_row(const std::vector<LegendEntry>& entries, double most, double px) {
-  TextStyle style;
-  style.size_px = 8.5 * px;
+/// Rows of a legend, as draw_legend() breaks them.
+struct LegendRows {
   double widest = 0.0;
+  std::size_t count = 0;
+};
+LegendRows rows_within(const std::vector<double>& widths, double most, double px) {
+  const double between = 12.0 * px;
+  LegendRows rows;
   double row = 0.0;
-  for (const LegendEntry& entry : entries) {
-    const double width = 20.0 * px + measure_text(entry.name, style).width;
-    if (row > 0.0 && row + 12.0 * px + width > most) row = 0.0;
-    row += (row > 0.0 ? 12.0 * px : 0.0) + width;
-    widest = std::max(widest, row);
+  for (const double width : widths) {
+    if (row > 0.0 && row + between + width > most) row = 0.0;
+    if (row == 0.0) ++rows.count;
+    row += (row > 0.0 ? between : 0.0) + width;
+    rows.widest = std::max(rows.widest, row);
   }
-  return widest;
+  return rows;
 }
 
-/// What of a legend has room on a map: all of it, narrow if it can be, beside the scale bar, wider where it would be high;
-/// else as many entries as there is room for, and how many there are more. No entries: not even the first one has room.
-struct LegendFit {
-  std::vector<LegendEntry> entries;
-  double width = 0.0, height = 0.0;
-};
+double entry_width(const std::string& name, double px) {
+  TextStyle style;
+  style.size_px = 8.5 * px;
+  return 20.0 * px + measure_text(name, style).width;
+}
 
-LegendFit fit_legend(const std::vector<LegendEntry>& entries,
-                     const PageRect& map,
-                     double padding,
-                     double px) {
+std::string words_for_more(std::size_t left_out) { return fmt::format("and {} more", left_out); }
+
+/// All of it, narrow if it can be, beside the scale bar, wider where it would be high; else as many entries as there is room
+/// for, and how many there are more. No entries: not even the first one has room.
+void fit_legend(LegendFit& fit, double padding) {
   constexpr double kWished = 0.28, kCut = 0.34, kMost = 0.45;  // of the map's height
   constexpr double kMostWidth = 0.72;
-  LegendFit fit{entries, 0.0, 0.0};
-  for (std::size_t left_out = 0; !fit.entries.empty(); ++left_out) {
-    if (left_out > 0) {
-      if (left_out > 1) fit.entries.pop_back();  // how many they were
-      if (fit.entries.empty()) break;
-      fit.entries.pop_back();
-      if (fit.entries.empty()) break;
-      fit.entries.push_back(
-          {fmt::format("and {} more", left_out), {0, 0, 0, 0}, LegendEntry::Kind::kBar});
-    }
+  const double px = fit.px_per_pt;
+  std::vector<double> all;
+  for (const std::string& name : fit.names) all.push_back(entry_width(name, px));
+  for (fit.count = all.size(); fit.count > 0; --fit.count) {
+    const std::size_t left_out = all.size() - fit.count;
+    std::vector<double> widths(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(fit.count));
+    if (left_out > 0) widths.push_back(entry_width(words_for_more(left_out), px));
     for (const double share : {0.5, 0.6, 0.7}) {
-      fit.width = widest_row(fit.entries, share * map.width - 2.0 * padding, px);
-      fit.height = legend_height(fit.width + px, fit.entries, px);
-      if (fit.height <= kWished * map.height) break;
+      fit.width = rows_within(widths, share * fit.map_width - 2.0 * padding, px).widest;
+      fit.height = 13.0 * px * static_cast<double>(rows_within(widths, fit.width + px, px).count);
+      if (fit.height <= kWished * fit.map_height) break;
     }
     // What is cut short is no reason to cover more of the map.
     const double most = left_out == 0 ? kMost : kCut;
-    if (fit.height <= most * map.height && fit.width + 2.0 * padding <= kMostWidth * map.width) {
-      return fit;
-    }
+    if (fit.height <= most * fit.map_height &&
+        fit.width + 2.0 * padding <= kMostWidth * fit.map_width)
+      return;
   }
-  return {};
+}
+
+/// Keeps what is of the same names on a map of the same size.
+void renew_fit(LegendFit& fit,
+               const std::vector<LegendEntry>& entries,
+               const MapFrame& frame,
+               double padding) {
+  const bool is_same =
+      fit.map_width == frame.where.width && fit.map_height == frame.where.height &&
+      fit.px_per_pt == frame.px_per_pt &&
+      std::equal(
+          entries.begin(), entries.end(), fit.names.begin(), fit.names.end(),
+          [](const LegendEntry& entry, const std::string& name) { return entry.name == name; });
+  if (is_same) return;
+  fit = {};
+  for (const LegendEntry& entry : entries) fit.names.push_back(entry.name);
+  fit.map_width = frame.where.width;
+  fit.map_height = frame.where.height;
+  fit.px_per_pt = frame.px_per_pt;
+  fit_legend(fit, padding);
 }
 
 }  // namespace
@@ -227,17 +246,24 @@ std::vector<LegendEntry> map_legend(const MapViewModel& model,
 PageRect draw_map_legend(Canvas& canvas,
                          const MapFrame& frame,
                          const std::vector<LegendEntry>& entries,
-                         const Theme& theme) {
+                         const Theme& theme,
+                         LegendFit& fit) {
   const double px = frame.px_per_pt;
   const PageRect& map = frame.where;
   const double padding = 5.0 * px;
-  const LegendFit fit = fit_legend(entries, map, padding, px);
-  if (fit.entries.empty()) return {};
+  renew_fit(fit, entries, frame, padding);
+  if (fit.count == 0) return {};
+  std::vector<LegendEntry> shown(entries.begin(),
+                                 entries.begin() + static_cast<std::ptrdiff_t>(fit.count));
+  if (fit.count < entries.size()) {
+    shown.push_back(
+        {words_for_more(entries.size() - fit.count), {0, 0, 0, 0}, LegendEntry::Kind::kBar});
+  }
   const PageRect plate{map.right() - fit.width - 2.0 * padding - 4.0 * px, map.bottom + 4.0 * px,
                        fit.width + 2.0 * padding, fit.height + 2.0 * padding};
   canvas.fill(corners_of(plate), with_opacity(theme.page, 0.85));
   draw_legend(canvas, {plate.left + padding, plate.bottom + padding, fit.width + px, fit.height},
-              fit.entries, theme, px);
+              shown, theme, px);
   return plate;
 }
 

@@ -52,11 +52,13 @@ void draw_particle_ring(Canvas& canvas,
                                                   const Theme& theme,
                                                   bool with_classes = true);
 /// On a plate at the lower right of the map, as narrow as it may be so that it is not high. Where it has no room its last
-/// entries are left out, and counted. @returns the plate; without area where there is nothing to say, or no room to say it.
+/// entries are left out, and counted. @param fit  Of the last frame; made anew where that is of something else.
+/// @returns the plate; without area where there is nothing to say, or no room to say it.
 PageRect draw_map_legend(Canvas& canvas,
                          const MapFrame& frame,
                          const std::vector<LegendEntry>& entries,
-                         const Theme& theme);
+                         const Theme& theme,
+                         LegendFit& fit);
 
 /// Whether lines lie on pictures or labels, or on the plain window.
 [[nodiscard]] bool has_ground_picture(const MapViewModel& model);

@@ -126,7 +126,8 @@ void MapPaneView::draw_furniture(const MapFrame& frame) {
   if (model_.look.layer(Layer::kLegend).is_visible) {
     // A half has no room for classes, which the layers' panel names as well.
     const auto entries = map_legend(model_, pane_.shown, theme, !pane_.is_half);
-    legend = draw_map_legend(canvas, frame, entries, theme);
+    legend = draw_map_legend(canvas, frame, entries, theme,
+                             pane_.is_main ? state_.legend : state_.second_legend);
   }
   const double tools = pane_.is_main ? map_tools_width(ui_) : 0.0;
   for (const MapRun& run : model_.runs) {

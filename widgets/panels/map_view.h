@@ -67,6 +67,14 @@ struct MapGround {
   bool is_second = false;  ///< Of the second map of a split view.
 };
 
+/// How much of a legend has room on a map, kept as long as what it was made for: words are dear to measure.
+struct LegendFit {
+  std::vector<std::string> names;  ///< What it was made for.
+  double map_width = 0.0, map_height = 0.0, px_per_pt = 0.0;
+  std::size_t count = 0;  ///< Of the entries that are shown; a last one counts the others.
+  double width = 0.0, height = 0.0;
+};
+
 struct MapViewState {
   /// Draws the ground and gives its texture, bottom row first; called while the view is drawn, so that ground and lines never
   /// part. Empty: nothing lies below the lines.
@@ -79,7 +87,8 @@ struct MapViewState {
   MapRoom room;      ///< What controls leave of it.
 
   RunPathsCache paths;
-  std::string grabbing_pane;  ///< Map whose ground a drag holds; empty: none.
+  LegendFit legend, second_legend;  ///< Of the only or first map, and of the second.
+  std::string grabbing_pane;        ///< Map whose ground a drag holds; empty: none.
   Eigen::Vector2d grabbed_in_enu_m =
       Eigen::Vector2d::Zero();  ///< The place of the ground that it holds.
   Eigen::Vector2d menu_in_enu_m = Eigen::Vector2d::Zero();  ///< Where the menu was opened.

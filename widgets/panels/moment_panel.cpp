@@ -104,7 +104,7 @@ void draw_agreement_table(kit::Ui& ui, const SeenMoment& moment) {
       ui.cell("–", kit::TextLook::kMuted);  // none on known ground, which is not 0 %
     }
   };
-  const auto table = ui.table("Agreement", columns);
+  const auto table = ui.table("Agreement", columns, {.is_only_read = true});
   if (!table) return;
   const auto draw_row = [&](const std::string& name, const CellAgreement::Count& estimate,
                             const std::optional<CellAgreement::Count>& truth) {

@@ -126,7 +126,8 @@ void draw_metrics_of(kit::Ui& ui,
     std::size_t end = begin;
     while (end < all.size() && all[end].group == all[begin].group) ++end;
     ui.text(std::string(all[begin].group), kit::TextLook::kNormal);
-    const kit::TableOptions options{.has_header = begin == 0, .is_dense = true};
+    const kit::TableOptions options{
+        .has_header = begin == 0, .is_dense = true, .is_only_read = true};
     if (const auto table = ui.table(name, columns, options)) {
       for (; begin < end; ++begin) draw_metric(ui, all[begin], state, part);
     }
@@ -188,7 +189,7 @@ void draw_settings(kit::Ui& ui, const RunsModel& model, const RunsState& state) 
     const auto columns = columns_of(ui, model, state, part, kit::Align::kRight);
     const std::string name =
         part.first == 0 ? "settings" : fmt::format("settings from {}", part.first);
-    const auto table = ui.table(name, columns, {.is_dense = true});
+    const auto table = ui.table(name, columns, {.is_dense = true, .is_only_read = true});
     if (!table) return;
     for (const SettingDifference& setting : settings) {
       ui.row(setting.name);

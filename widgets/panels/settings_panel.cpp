@@ -170,8 +170,9 @@ void draw_rerun(kit::Ui& ui, const SettingsModel& model, Actions& asked) {
     if (ui.button(label, look, hint_for(help, action), kit::Icon::kPlay)) asked.push_back(action);
   };
   start("Rerun from here", model.why_not_from_cursor,
-        "Localise on from this moment with the recorded particles", RerunFrom::kCursor,
-        kit::ButtonLook::kPrimary);
+        "Localise on from this moment with the recorded particles. They are kept in single "
+        "precision: with nothing changed the run comes out alike, not the same",
+        RerunFrom::kCursor, kit::ButtonLook::kPrimary);
   ui.same_line();
   start("From the start", model.why_not_from_start, "Localise the whole flight again",
         RerunFrom::kStart, kit::ButtonLook::kNormal);

@@ -37,7 +37,7 @@ void draw_fits(kit::Ui& ui, const MomentExplanation& moment) {
           ui.px(64.0),
           0,
           {"Share of cells on known ground whose class the map has there; more is better", ""}}};
-  const auto table = ui.table("Costs", columns);
+  const auto table = ui.table("Costs", columns, {.is_only_read = true});
   if (!table) return;
   std::optional<double> best = moment.estimate.mean_cost;
   for (const auto* fit : {&moment.truth, &moment.odometry}) {
@@ -70,7 +70,7 @@ void draw_modes_table(kit::Ui& ui, const MomentExplanation& moment, Actions& ask
                   4,
                   {"At the cluster's mean: 0 fits everywhere, 1 nowhere; lower is better", ""}},
       kit::Column{"", kit::Align::kLeft, ui.px(44.0)}};
-  const auto table = ui.table("Modes", columns);
+  const auto table = ui.table("Modes", columns, {.is_only_read = true});
   if (!table) return;
   for (std::size_t i = 0; i < moment.modes.size(); ++i) {
     const ModeFit& mode = moment.modes[i];
@@ -109,7 +109,7 @@ void draw_class_costs(kit::Ui& ui, const MomentExplanation& moment) {
                   {"Difference of the class's parts in the two mean costs; over all classes it is "
                    "that of the mean costs",
                    ""}}};
-  const auto table = ui.table("Cost by class", columns);
+  const auto table = ui.table("Cost by class", columns, {.is_only_read = true});
   if (!table) return;
   constexpr double kNothing = 5e-5;
   const auto row = [&ui](const std::string& name, double at_truth_less_at_estimate) {

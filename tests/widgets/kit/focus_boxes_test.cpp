@@ -132,6 +132,46 @@ TEST(FocusedBoxes, AreWalkedByTabAloneHoweverTheyOpened) {
   EXPECT_THAT(window.shortcuts, IsEmpty());
 }
 
+TEST(FocusedBoxes, AreBegunAtTheirFirstControlWhereverTheMouseWas) {
+  bool is_open = false;
+  KeyedWindow window;
+  window.content = [&](Ui& ui) {
+    for (const std::string& item : kItems) (void)ui.button(item);
+    if (ui.button("Open")) is_open = true;
+    if (!is_open) return;
+    const auto box = ui.overlay("Box");
+    for (const std::string& item : kItems) (void)ui.button(item);
+    if (box.wants_close()) is_open = false;
+  };
+  window.screen.click("Open", window);
+  window.press("Tab");
+  EXPECT_EQ(focused(window.screen), "Box/one");
+  window.press_all({"Tab", "Escape"});
+  ASSERT_FALSE(is_open);
+  window.press_all({"Shift+Tab", "Shift+Tab"});
+  EXPECT_EQ(focused(window.screen), "three") << "and below it goes on where it was";
+}
+
+TEST(FocusedBoxes, ThatTakeThePlaceOfOthersTakeTheKeyboard) {
+  std::string open;
+  KeyedWindow window;
+  window.content = [&](Ui& ui) {
+    if (ui.button("Open")) open = "First";
+    if (open.empty()) return;
+    const auto box = ui.overlay(open);
+    if (ui.button("Do")) open = open == "First" ? "Second" : "First";
+    if (box.wants_close()) open.clear();
+  };
+  window.press_all({"Shift+Tab", "Enter"});
+  EXPECT_EQ(focused(window.screen), "First/Do");
+  window.press("Enter");
+  EXPECT_EQ(focused(window.screen), "Second/Do");
+  window.press("Enter");
+  EXPECT_EQ(focused(window.screen), "First/Do");
+  window.press("Escape");
+  EXPECT_EQ(focused(window.screen), "Open");
+}
+
 TEST(FocusedRegions, AreGoneThroughByCtrlTab) {
   KeyedWindow window;
   window.screen.leave_out_region();

@@ -261,6 +261,16 @@ TEST(FinishCommand, TakesATextWithBlanksAsOneArgument) {
   EXPECT_EQ(std::get<actions::OpenFile>(*action).path, "my flights/a b.nadir");
 }
 
+TEST(CommandPalette, HasOneHighlightWhereverTabGoes) {
+  OpenPalette palette;
+  palette.screen.wait(3, palette);
+  for (const char* const chord : {"Tab", "Down", "Tab", "Down"})
+    palette.screen.press(chord, palette);
+  for (const kit::Control& control : palette.screen.controls())
+    EXPECT_FALSE(control.is_focused && control.kind == kit::ControlKind::kRow) << control.path;
+  EXPECT_EQ(palette.state.highlighted, 2U);
+}
+
 TEST(FinishCommand, LeavesQuotesAndSeveralArgumentsToTheWordsOfActions) {
   const auto quoted = finish_command("open", "\"a b.nadir\"");
   ASSERT_TRUE(quoted) << quoted.error().message;

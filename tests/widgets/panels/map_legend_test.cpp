@@ -141,7 +141,8 @@ TEST(MapLegendPlate, LiesAtTheLowerRightAndLeavesTheScaleBarItsPlace) {
   for (const double width : {400.0, 576.0, 1200.0}) {
     RecordingCanvas canvas;
     const MapFrame frame{{0.0, 0.0, width, 540.0}, {}, 96.0 / 72.0};
-    const PageRect plate = draw_map_legend(canvas, frame, many, theme(ThemeName::kDark));
+    LegendFit fit;
+    const PageRect plate = draw_map_legend(canvas, frame, many, theme(ThemeName::kDark), fit);
     ASSERT_GT(plate.width, 0.0) << width;
     EXPECT_GT(plate.left, 0.27 * width);
     EXPECT_LT(plate.right(), width);
@@ -159,7 +160,8 @@ TEST(MapLegendPlate, CountsWhatItHasNoRoomFor) {
   for (const auto& [width, height] : {std::pair(560.0, 420.0), std::pair(400.0, 300.0)}) {
     RecordingCanvas canvas;
     const MapFrame frame{{0.0, 0.0, width, height}, {}, 2.0 * 96.0 / 72.0};
-    const PageRect plate = draw_map_legend(canvas, frame, many, theme(ThemeName::kDark));
+    LegendFit fit;
+    const PageRect plate = draw_map_legend(canvas, frame, many, theme(ThemeName::kDark), fit);
     ASSERT_GT(plate.width, 0.0) << width;
     EXPECT_LE(plate.height, 0.45 * height);
     EXPECT_LE(plate.width, 0.75 * width);
@@ -174,8 +176,54 @@ TEST(MapLegendPlate, IsNotThereWhereNotEvenOneEntryHasRoom) {
   const std::vector<LegendEntry> many(12, {"lane marking", {1, 2, 3}, LegendEntry::Kind::kBar});
   RecordingCanvas canvas;
   const MapFrame narrow{{0.0, 0.0, 90.0, 540.0}, {}, 96.0 / 72.0};
-  EXPECT_EQ(draw_map_legend(canvas, narrow, many, theme(ThemeName::kDark)).width, 0.0);
+  LegendFit fit;
+  EXPECT_EQ(draw_map_legend(canvas, narrow, many, theme(ThemeName::kDark), fit).width, 0.0);
   EXPECT_THAT(canvas.fills, IsEmpty());
+}
+
+TEST(MapLegendPlate, IsFittedAnewOnlyForOtherNamesOrAnotherMap) {
+  std::vector<LegendEntry> entries = {{"truth", {1, 2, 3}}, {"estimate", {4, 5, 6}}};
+  MapFrame frame{{0.0, 0.0, 800.0, 540.0}, {}, 96.0 / 72.0};
+  LegendFit fit;
+  const auto draw = [&] {
+    RecordingCanvas canvas;
+    return draw_map_legend(canvas, frame, entries, theme(ThemeName::kDark), fit).width;
+  };
+  const double width = draw() - 10.0 * frame.px_per_pt;
+  const auto is_kept = [&] {
+    fit.width = width + 7.0;  // what is kept is drawn as it is
+    return draw() == fit.width + 10.0 * frame.px_per_pt && fit.width == width + 7.0;
+  };
+  EXPECT_TRUE(is_kept());
+  entries[0].colour = {7, 8, 9};
+  entries[1].kind = LegendEntry::Kind::kDashed;
+  EXPECT_TRUE(is_kept()) << "no word is another";
+  entries[0].name = "odometry";
+  EXPECT_FALSE(is_kept());
+  frame.where.width = 700.0;
+  EXPECT_FALSE(is_kept());
+  frame.where.height = 400.0;
+  EXPECT_FALSE(is_kept());
+  frame.px_per_pt = 2.0;
+  EXPECT_FALSE(is_kept());
+  entries.pop_back();
+  EXPECT_FALSE(is_kept());
+}
+
+TEST(MapLegendPlate, IsAsHighAsWhatIsDrawnOnIt) {
+  std::vector<LegendEntry> entries;
+  for (int i = 0; i < 9; ++i) {
+    entries.push_back({"class " + std::to_string(i * i * i), {1, 2, 3}, LegendEntry::Kind::kBar});
+    for (const double px : {0.9, 1.33, 2.1}) {
+      RecordingCanvas canvas;
+      LegendFit fit;
+      const MapFrame frame{{0.0, 0.0, 640.0, 480.0}, {}, px};
+      const PageRect plate = draw_map_legend(canvas, frame, entries, theme(ThemeName::kDark), fit);
+      if (fit.count < entries.size()) continue;
+      EXPECT_DOUBLE_EQ(plate.height, legend_height(fit.width + px, entries, px) + 10.0 * px);
+      EXPECT_EQ(canvas.texts.size(), entries.size()) << "nothing falls off it";
+    }
+  }
 }
 
 }  // namespace map_legend_test
