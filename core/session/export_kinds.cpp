@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/session/map_parts.h"
+#include "core/session/map_upward.h"
 #include "core/session/session.h"
 #include "core/session/typed_path.h"
 
@@ -15,7 +16,8 @@ namespace {
 using Form = ExportKind::Form;
 
 constexpr std::array<ExportKind, 17> kExportKinds = {{
-    {"moment", "This moment", "Particles on the map, camera and topview", RunsOfFigure::kOne, true},
+    {"moment", "This moment", "Map with the way so far, camera and topview", RunsOfFigure::kOne,
+     true},
     {"film", "Film", "This moment's figure as time goes on", RunsOfFigure::kOne, true, false,
      Form::kFilm},
     {"flight", "Whole flight", "Ways with ellipses, and errors over time", RunsOfFigure::kOne, true,
@@ -73,6 +75,20 @@ std::string subject_of(const ExportKind& kind, const Session& session) {
   return fmt::format("{} and {} more {}", run->name, more, more == 1 ? "run" : "runs");
 }
 
+bool is_turned(const MapLook& look) {
+  const MapUpward up = MapUpward::of(look);
+  return up.up == MapUp::kHeading || std::abs(std::remainder(up.compass_deg, 360.0)) > 1e-6;
+}
+
+/// Whether layers lie in another order than at first, or some that can be seen have colours that a user chose.
+bool is_stacked_by_hand(const MapLook& look) {
+  const auto has_own_colour = [&look](Layer layer) {
+    return !is_ground_layer(layer) && is_in_sight(look, layer) && look.layer(layer).colour;
+  };
+  return look.order != default_map_look().order ||
+         std::any_of(look.order.begin(), look.order.end(), has_own_colour);
+}
+
 }  // namespace
 
 std::span<const ExportKind> export_kinds() { return kExportKinds; }
@@ -122,7 +138,9 @@ std::string export_name(const ExportKind& kind, const Session& session) {
   return as_file_name(name);
 }
 
-std::vector<std::string> left_out_of_figure(const ExportKind& kind, const ViewState& view) {
+std::vector<std::string> left_out_of_figure(const ExportKind& kind,
+                                            const ViewState& view,
+                                            const OpenRun* active) {
   std::vector<std::string> things;
   const MapLook& look = view.map;
   if (kind.name == "moment" || kind.form == ExportKind::Form::kFilm) {
@@ -133,20 +151,27 @@ std::vector<std::string> left_out_of_figure(const ExportKind& kind, const ViewSt
       if (view.runs[i].is_shown && static_cast<int>(i) + 1 != view.active_run) ++others;
     }
     if (others > 0) things.push_back(fmt::format("{} other run{}", others, others == 1 ? "" : "s"));
+    if (active != nullptr && !active->bookmarks.empty()) things.emplace_back("bookmarks");
     if (!look.measured_in_enu_m.empty()) things.emplace_back("what is measured");
   } else if (kind.needs_map && kind.form == ExportKind::Form::kFigure && kind.name != "scene") {
-    if (look.up != MapUp::kNorth) things.emplace_back("the turn of the map");
+    if (is_turned(look)) things.emplace_back("the turn of the map");
+    if (is_stacked_by_hand(look)) things.emplace_back("the order and colours of the layers");
   }
   return things;
 }
 
-std::string left_out_sentence(const ExportKind& kind, const ViewState& view) {
-  const std::vector<std::string> things = left_out_of_figure(kind, view);
+std::string left_out_words(const ExportKind& kind, const ViewState& view, const OpenRun* active) {
+  const std::vector<std::string> things = left_out_of_figure(kind, view, active);
   std::string words;
   for (std::size_t i = 0; i < things.size(); ++i) {
     const bool is_last = i + 1 == things.size();
     words += (i == 0 ? "" : is_last ? " and " : ", ") + things[i];
   }
+  return words;
+}
+
+std::string left_out_sentence(const ExportKind& kind, const Session& session) {
+  const std::string words = left_out_words(kind, session.view(), session.active_run());
   return words.empty() ? words : "Not in it: " + words + ".";
 }
 

@@ -14,6 +14,7 @@
 namespace nadir {
 
 class Session;
+struct OpenRun;
 
 /// Something that can be made of what is open.
 struct ExportKind {
@@ -42,11 +43,16 @@ struct ExportKind {
 [[nodiscard]] std::string export_name(const ExportKind& kind, const Session& session);
 
 /// What the window's map shows and the figure does not, in words: "the error surface", "2 other runs". None for what shows no
-/// map, or not that one.
+/// map, or not that one. @param active  The active run; null: none.
 [[nodiscard]] std::vector<std::string> left_out_of_figure(const ExportKind& kind,
-                                                          const ViewState& view);
+                                                          const ViewState& view,
+                                                          const OpenRun* active);
+/// "the error surface and 2 other runs"; empty: everything is shown.
+[[nodiscard]] std::string left_out_words(const ExportKind& kind,
+                                         const ViewState& view,
+                                         const OpenRun* active);
 /// "Not in it: the error surface and 2 other runs." Empty: everything is.
-[[nodiscard]] std::string left_out_sentence(const ExportKind& kind, const ViewState& view);
+[[nodiscard]] std::string left_out_sentence(const ExportKind& kind, const Session& session);
 
 /// What making it will do, in one sentence. @param file  As it is to be shown. @param width_px  Nothing: the figure's own.
 [[nodiscard]] std::string export_sentence(const ExportKind& kind,

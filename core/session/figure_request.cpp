@@ -39,11 +39,13 @@ std::string layers_text(const MapLook& look) {
 }
 
 /// The map of figure 'moment' is the window's: turned as it is, with its layers in their order.
-std::string moment_map_lines(const MapLook& look) {
+std::string moment_map_lines(const FigureRequest& request) {
+  const MapLook& look = request.look;
   std::string text = "stack = " + toml_quoted(MapStack::of(look).text()) + "\n";
   if (look.up != MapUp::kNorth) {
     text += "up = " + toml_quoted(MapUpward::of(look).text()) + "\n";
   }
+  if (request.run_colour > 0) text += fmt::format("run-colour = {}\n", request.run_colour + 1);
   return text;
 }
 
@@ -91,7 +93,7 @@ std::string figure_recipe_text(const FigureRequest& request) {
   text += fmt::format("time = {}\n", request.time_s);
   if (request.width_px) text += fmt::format("size = \"{}\"\n", *request.width_px);
   text += crop_line(request);
-  text += request.figure == kMomentFigure ? moment_map_lines(look) : layer_lines(look);
+  text += request.figure == kMomentFigure ? moment_map_lines(request) : layer_lines(look);
   text += "laid-at = " + toml_quoted(enum_name(look.topview_at)) + "\n";
   if (!request.is_film) return text;
   if (request.from_s) text += fmt::format("from = {}\n", *request.from_s);

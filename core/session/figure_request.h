@@ -18,6 +18,7 @@ struct FigureRequest {
   double time_s = 0.0;            ///< After the first run's first step.
   MapLook look;                   ///< With centre and width as they are drawn.
   LightOrDark theme = LightOrDark::kLight;
+  int run_colour = 0;                ///< Of the first run, as RunLook::colour.
   std::optional<int> width_px = {};  ///< Nothing: the figure's own.
   /// For a film: the range and the flight seconds per second.
   bool is_film = false;

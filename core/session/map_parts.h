@@ -7,10 +7,9 @@
 
 namespace nadir {
 
-/// The map from the ground up: which of its layers OpenGL draws as textures and which are lines on the canvas, so that either may
-/// lie on the other.
+/// The map from the ground up: which of its layers are pictures and which are lines, for either may lie on the other.
 
-/// Whether OpenGL draws a layer; the rest are lines.
+/// Whether a layer is a picture of the ground, made of pixels; the rest are lines.
 [[nodiscard]] bool is_ground_layer(Layer layer);
 /// Whether a layer is shown and can be seen at all.
 [[nodiscard]] bool is_in_sight(const MapLook& look, Layer layer);

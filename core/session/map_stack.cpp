@@ -47,7 +47,23 @@ Result<StackedLayer> stacked_layer(std::string_view word) {
   const auto layer = stackable_layer(word);
   if (!layer) return forward_error(layer);
   made.layer = *layer;
+  if (made.colour && is_ground_layer(made.layer)) {
+    return fail(ErrorCode::kInvalidOptions, "{} is no line and takes no colour", word);
+  }
   return made;
+}
+
+/// As a layer is seen: ellipses and modes are drawn as the estimate that they are of, hidden or not.
+StackedLayer seen_layer(const MapLook& look, Layer layer) {
+  const LayerLook& own = look.layer(layer);
+  StackedLayer seen{layer, own.opacity, own.colour};
+  if (is_ground_layer(layer)) seen.colour.reset();
+  const bool is_of_estimate = layer == Layer::kEllipses || layer == Layer::kModes;
+  if (is_of_estimate && !own.colour && !is_in_sight(look, Layer::kEstimate)) {
+    seen.colour = look.layer(Layer::kEstimate).colour;
+    seen.opacity *= look.layer(Layer::kEstimate).opacity;
+  }
+  return seen;
 }
 
 }  // namespace
@@ -57,7 +73,8 @@ MapStack MapStack::of(const MapLook& look) {
   made.layers.emplace();
   for (const Layer layer : look.order) {
     if (layer == Layer::kLegend || !is_in_sight(look, layer)) continue;
-    made.layers->push_back({layer, look.layer(layer).opacity, look.layer(layer).colour});
+    StackedLayer seen = seen_layer(look, layer);
+    if (seen.opacity > 0.0) made.layers->push_back(std::move(seen));
   }
   return made;
 }
@@ -111,6 +128,7 @@ MapLook MapStack::laid_on(MapLook look) const {
       continue;
     }
     look.layer(layer).is_visible = false;
+    if (layer == Layer::kEstimate) look.layer(layer) = {false, 1.0, std::nullopt};
     const auto below =
         i == 0 ? look.order.end()
                : std::find(look.order.begin(), look.order.end(), static_cast<Layer>(i - 1));

@@ -36,7 +36,8 @@ std::string MapUpward::text() const {
 double MapUpward::up_rad(double heading_rad) const {
   constexpr double kNorthRad = std::numbers::pi / 2.0;
   if (up == MapUp::kNorth) return kNorthRad;
-  return up == MapUp::kHeading ? heading_rad : kNorthRad - Angle::degrees(compass_deg).radians();
+  return up == MapUp::kHeading ? heading_rad
+                               : wrap_rad(kNorthRad - Angle::degrees(compass_deg).radians());
 }
 
 }  // namespace nadir

@@ -50,7 +50,10 @@ Session::Implementation::~Implementation() {
   list_what_is_written();
   save_now();
   if (!saving_fault.empty()) {  // there is no window any more to say it in
-    write_log(LogLevel::kError, "what was open is not kept for the next start: " + saving_fault);
+    write_log(LogLevel::kError,
+              (places.keeps_session ? "what was open is not kept for the next start: "
+                                    : "preferences are not kept: ") +
+                  saving_fault);
   }
 }
 
@@ -65,19 +68,19 @@ Result<void> Session::Implementation::apply(const Action& action) {
     add_notice(Notice::Kind::kError, done.error().message, words);
     return done;
   }
+  const bool is_history = std::holds_alternative<actions::Undo>(action) ||
+                          std::holds_alternative<actions::Redo>(action);
   for (const ForeignBookmarks& foreign : foreign_bookmarks) {
-    take_foreign(foreign);
     Bookmarks& bookmarks = before.kept.bookmarks[foreign.run];
     bookmarks = with_changes(bookmarks, foreign.expected, foreign.found);
+    // What was done now is no step of the history yet; undo and redo have been to it themselves.
+    take_foreign(foreign, is_history ? kept : before.kept);
   }
   const std::string key = merge_key(action);
   // Escape closes what lies over the window, and the shortcut does so again.
   const bool closes_nothing = std::holds_alternative<actions::ShowOverlay>(action) &&
                               before.overlay == Overlay::kNone && overlay == Overlay::kNone;
   if (!closes_nothing) add_log(std::move(words), key);
-  // Those have been to the history themselves.
-  const bool is_history = std::holds_alternative<actions::Undo>(action) ||
-                          std::holds_alternative<actions::Redo>(action);
   if (is_history) {
     reconcile();
   } else {

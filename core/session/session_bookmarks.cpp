@@ -18,13 +18,15 @@ Result<void> Session::Implementation::keep_bookmarks(const std::string& run,
   return {};
 }
 
-void Session::Implementation::take_foreign(const ForeignBookmarks& foreign) {
+void Session::Implementation::take_foreign(const ForeignBookmarks& foreign, const KeptState& last) {
   if (foreign.expected == foreign.found) return;
-  amend([&foreign](KeptState& state) {
-    const auto known = state.bookmarks.find(foreign.run);
-    if (known == state.bookmarks.end()) return;
-    known->second = with_changes(known->second, foreign.expected, foreign.found);
-  });
+  history.amend(
+      [&foreign](KeptState& state) {
+        const auto known = state.bookmarks.find(foreign.run);
+        if (known == state.bookmarks.end()) return;
+        known->second = with_changes(known->second, foreign.expected, foreign.found);
+      },
+      last);
 }
 
 Result<void> Session::Implementation::perform(const actions::AddBookmark& action) {

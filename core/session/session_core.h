@@ -263,8 +263,9 @@ struct Session::Implementation {
   Result<void> perform(const actions::Undo& action);
   Result<void> perform(const actions::Redo& action);
   Result<void> keep_bookmarks(const std::string& run, const Bookmarks& wanted);
-  /// Does to all states what another window has done to a file, so that undo does not take that back.
-  void take_foreign(const ForeignBookmarks& foreign);
+  /// Does to all states of the history what another window has done to a file, so that undo does not take that back.
+  /// @param last  The state that followed the newest of them, where that has been done already.
+  void take_foreign(const ForeignBookmarks& foreign, const KeptState& last);
   Result<void> go_to_state(KeptState state);
 
   // session_keeping.cpp

@@ -91,6 +91,8 @@ Result<void> Session::Implementation::perform(const actions::ExportFigure& actio
     const auto run = need_run();
     if (!run) return forward_error(run);
     request.runs.push_back((*run)->path.string());
+    request.run_colour =
+        kept.view.runs.at(static_cast<std::size_t>(kept.view.active_run) - 1).colour;
     for (const RunLook& look : kept.view.runs) {
       const bool is_other = look.path != request.runs.front();
       if (number == RunsOfFigure::kAll && look.is_shown && is_other) {
@@ -103,9 +105,9 @@ Result<void> Session::Implementation::perform(const actions::ExportFigure& actio
   if (const auto free = StagedOutput::file(file); !free) return forward_error(free);
   const ExportKind* const kind = export_kind(request.figure);
   if (kind != nullptr) {
-    const std::string missing = left_out_sentence(*kind, kept.view);
+    const std::string missing = left_out_words(*kind, kept.view, active());
     if (!missing.empty()) {
-      add_notice(Notice::Kind::kInfo, file.filename().string() + ": " + missing);
+      add_notice(Notice::Kind::kInfo, file.filename().string() + " does not show " + missing);
     }
   }
   request.map = kept.view.map_path;

@@ -163,8 +163,8 @@ Result<void> Session::Implementation::perform(const actions::SaveNow& /*action*/
   }
   if (!places.keeps_session) {
     add_notice(Notice::Kind::kInfo,
-               "preferences are kept; what is open is not, for what was open last stays for the "
-               "next start");
+               "Preferences are saved. What is open now is not: the next start shows what was open "
+               "before this window.");
   }
   save_soon();
   return {};

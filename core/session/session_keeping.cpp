@@ -167,7 +167,9 @@ void Session::Implementation::take_saving(const Result<int>& outcome, const Savi
   if (had_failed) return;
   Notice notice;
   notice.kind = Notice::Kind::kWarning;
-  notice.text = "what is open cannot be kept for the next start: " + saving_fault;
+  notice.text = (places.keeps_session ? "what is open cannot be kept for the next start: "
+                                      : "preferences cannot be kept: ") +
+                saving_fault;
   notice.remedy = actions::SaveNow{};
   notice.remedy_title = "Try again";
   add_notice(notice);

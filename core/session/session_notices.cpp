@@ -69,6 +69,8 @@ Result<void> Session::Implementation::perform(const actions::DismissNotice& acti
     return notice.number == *action.notice;
   });
   if (found == notices.end()) {
+    // What a notice offered may have settled it, before the same press dismisses it.
+    if (*action.notice >= 1 && *action.notice <= last_number) return {};
     return fail(ErrorCode::kInvalidOptions, "there is no notice {}", *action.notice);
   }
   const Notice dismissed = *found;

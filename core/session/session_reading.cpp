@@ -175,12 +175,14 @@ void Session::Implementation::take_run(std::size_t index) {
   if (read->bookmarks_fault) {
     add_notice(Notice::Kind::kWarning, read->bookmarks_fault->message);
   } else {
-    const auto known = kept.bookmarks.find(path);
-    if (known != kept.bookmarks.end()) {  // it was open before
-      take_foreign({path, known->second, read->bookmarks});
-    }
     run.bookmarks = read->bookmarks;
-    kept.bookmarks[path] = std::move(read->bookmarks);
+    const auto known = kept.bookmarks.find(path);
+    if (known == kept.bookmarks.end()) {
+      kept.bookmarks.emplace(path, std::move(read->bookmarks));
+    } else {  // it was open before
+      const Bookmarks expected = std::exchange(known->second, std::move(read->bookmarks));
+      take_foreign({path, expected, run.bookmarks}, kept);
+    }
   }
   if (!run.is_live) remember(path);
   find_inputs(index);

@@ -14,29 +14,50 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The map as figure 'moment' shows it; other figures, and those of their own layers, leave it as it is.
-Result<void> take_map_of_moment(const Settings& recipe, MapLook& into) {
-  if (!recipe.has("options.stack")) return {};
-  const auto stack_text = recipe.scalar_as_text("options.stack");
-  if (!stack_text) return forward_error(stack_text);
-  const auto stack = MapStack::from_text(*stack_text);
+Result<void> take_stack(const Settings& recipe, MapLook& into) {
+  const auto text = recipe.scalar_as_text("options.stack");
+  if (!text) return forward_error(text);
+  const auto stack = MapStack::from_text(*text);
   if (!stack) return forward_error(stack);
-  const auto up_text = recipe.has("options.up") ? recipe.scalar_as_text("options.up")
-                                                : Result<std::string>(MapUpward{}.text());
-  if (!up_text) return forward_error(up_text);
-  const auto up = MapUpward::from_text(*up_text);
-  if (!up) return forward_error(up);
-  const auto laid_at =
-      recipe.text_or("options.laid-at", std::string(enum_name(PoseSource::kEstimate)));
-  if (!laid_at) return forward_error(laid_at);
   into = stack->laid_on(std::move(into));
-  for (std::size_t i = 0; i < EnumNames<PoseSource>::kNames.size(); ++i) {
-    const auto source = static_cast<PoseSource>(i);
-    if (enum_name(source) == *laid_at) into.topview_at = source;
-  }
+  // What a recipe does not say is as a figure has it by itself.
+  into.up = MapUp::kNorth;
+  into.topview_at = PoseSource::kEstimate;
+  return {};
+}
+
+Result<void> take_up(const Settings& recipe, MapLook& into) {
+  const auto text = recipe.scalar_as_text("options.up");
+  if (!text) return forward_error(text);
+  const auto up = MapUpward::from_text(*text);
+  if (!up) return forward_error(up);
   into.up = up->up;
   into.up_rad = up->up_rad(into.up_rad);
   return {};
+}
+
+Result<void> take_laid_at(const Settings& recipe, MapLook& into) {
+  const auto text = recipe.text("options.laid-at");
+  if (!text) return forward_error(text);
+  const auto& names = EnumNames<PoseSource>::kNames;
+  const auto found = std::find(names.begin(), names.end(), *text);
+  if (found == names.end()) {
+    return fail(ErrorCode::kInvalidOptions, "laid-at is '{}': write estimate, truth or odometry",
+                *text);
+  }
+  into.topview_at = static_cast<PoseSource>(found - names.begin());
+  return {};
+}
+
+/// The map as figure 'moment' shows it; other figures, and what a recipe does not say, leave it as it is.
+Result<void> take_map_of_moment(const Settings& recipe, MapLook& into) {
+  if (recipe.has("options.stack")) {
+    if (auto taken = take_stack(recipe, into); !taken) return taken;
+  }
+  if (recipe.has("options.up")) {
+    if (auto taken = take_up(recipe, into); !taken) return taken;
+  }
+  return recipe.has("options.laid-at") ? take_laid_at(recipe, into) : Result<void>();
 }
 
 }  // namespace
@@ -103,8 +124,10 @@ Result<void> Session::Implementation::open_recipe(std::string_view text, const f
     if (!time_s) return forward_error(time_s);
     wanted_time_s = std::max(0.0, *time_s);
   }
-  if (auto shown = take_map_of_moment(*recipe, kept.view.map); !shown) {
-    return forward_error(shown, file.string());
+  if (*figure == "moment") {
+    if (auto shown = take_map_of_moment(*recipe, kept.view.map); !shown) {
+      return forward_error(shown, file.string());
+    }
   }
   if (!recipe->has("options.crop")) return {};
   const auto crop = recipe->scalar_as_text("options.crop");

@@ -35,6 +35,7 @@ struct FigureOptions {
   FigureLayers layers;
   MapStack stack;
   MapUpward up;
+  int run_colour = 1;  ///< Counts from 1; see run_colour() of widgets/views/theme.h.
   double label_opacity = 0.0;
   double ellipse_every_s = 5.0;
   double tick_every_s = 0.0;
@@ -75,6 +76,11 @@ void visit_fields(Options& options, Visitor&& visit) {
         Field{"up", "",
               "What is up on the map in figure 'moment': north, the estimate's heading, "
               "or a compass course in degrees"});
+  visit(options.run_colour,
+        Field{"run-colour", "",
+              "Which of the colours of runs the run has on the map in figure 'moment', where "
+              "it has no other",
+              1, 1000});
   visit(options.label_opacity,
         Field{"label-opacity", "", "Of the labels over the picture; 0 shows none", 0, 1});
   visit(options.ellipse_every_s,

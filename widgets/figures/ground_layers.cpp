@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/figures/ground_layers.h"
 
-#include <algorithm>
-
 #include "core/session/map_parts.h"
 
 namespace nadir {
@@ -42,8 +40,15 @@ bool shows_labels(const MapLook& look, bool has_picture) {
 }
 
 double labels_opacity(const MapLook& look, bool has_picture) {
-  const double own = look.layer(Layer::kLabels).opacity;
-  return has_picture ? own : std::max(own, look.layer(Layer::kPicture).opacity);
+  const bool are_in_their_own_place = has_picture || is_in_sight(look, Layer::kLabels);
+  return look.layer(are_in_their_own_place ? Layer::kLabels : Layer::kPicture).opacity;
+}
+
+bool is_ground_below_lines(const MapLook& look) {
+  const auto shows = [&look](Layer layer) {
+    return look.layer(layer).is_visible && look.layer(layer).opacity > 0.3;
+  };
+  return shows(Layer::kPicture) || shows(Layer::kLabels);
 }
 
 }  // namespace nadir

@@ -18,5 +18,7 @@ namespace nadir {
                                                  bool has_picture);
 [[nodiscard]] bool shows_labels(const MapLook& look, bool has_picture);
 [[nodiscard]] double labels_opacity(const MapLook& look, bool has_picture);
+/// Whether lines lie on a picture or labels, strong enough to be drawn as over imagery: the same rule as the window's.
+[[nodiscard]] bool is_ground_below_lines(const MapLook& look);
 
 }  // namespace nadir

@@ -18,6 +18,15 @@ Eigen::AlignedBox2d bounds_of(const OverheadTiles& tiles) {
           Eigen::Vector2d(top_left.x() + size_m.x(), top_left.y())};
 }
 
+/// The room, in directions right and up of the page, that a rectangle of ground takes on a map that is turned.
+Eigen::AlignedBox2d turned_box(const Eigen::AlignedBox2d& box, double up_rad) {
+  const double along = std::abs(std::sin(up_rad)), across = std::abs(std::cos(up_rad));
+  const Eigen::Vector2d half = box.sizes() / 2.0;
+  const Eigen::Vector2d turned_half(along * half.x() + across * half.y(),
+                                    across * half.x() + along * half.y());
+  return {Eigen::Vector2d(box.center() - turned_half), Eigen::Vector2d(box.center() + turned_half)};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<MapPanel>> MapPanel::create(const std::filesystem::path& package,
@@ -77,7 +86,7 @@ void MapPanel::set_labels(bool is_visible, double opacity) {
   labels_->set_opacity(opacity);
 }
 
-bool MapPanel::is_turned() const { return std::abs(up_rad_ - MapCamera{}.up_rad) > 1e-9; }
+bool MapPanel::is_turned() const { return MapCamera{.up_rad = up_rad_}.is_turned(); }
 
 void MapPanel::show_square(const Eigen::Vector2d& centre_in_enu_m, double side_m) {
   if (!centre_in_enu_m.allFinite()) {
@@ -93,7 +102,7 @@ bool MapPanel::shows_whole_map() const {
 }
 
 MapCamera MapPanel::camera_for(const PageRect& where) const {
-  const Eigen::AlignedBox2d& shown = shown_.isEmpty() ? bounds_ : shown_;
+  Eigen::AlignedBox2d shown = shown_.isEmpty() ? bounds_ : shown_;
   if (!options_.crop.is_all()) {
     MapCamera camera;
     camera.centre_in_enu_m = options_.crop.centre_in_enu_m.value_or(shown.center());
@@ -101,6 +110,7 @@ MapCamera MapPanel::camera_for(const PageRect& where) const {
     camera.up_rad = up_rad_;
     return camera;
   }
+  if (shows_whole_map() && is_turned()) shown = turned_box(shown, up_rad_);
   // Paths keep away from the border; the map as a whole fills the panel.
   const double margin = shows_whole_map() ? 0.0 : 0.08;
   MapCamera camera = MapCamera::fit(shown.min(), shown.max(), where, margin);
@@ -115,7 +125,8 @@ PageRect MapPanel::frame_inside(const PageRect& where, Graticule graticule, doub
   const double bottom = std::ceil(where.bottom + border.y());
   PageRect inside{left, bottom, std::max(1.0, std::floor(where.right() - left)),
                   std::max(1.0, std::floor(where.top() - bottom))};
-  if (shows_whole_map()) {  // a frame of the map's own shape, at the top and in the middle of the panel
+  if (shows_whole_map() &&
+      !is_turned()) {  // a frame of the map's own shape, at the top and in the middle of the panel
     const double aspect = bounds_.sizes().x() / bounds_.sizes().y();
     const PageRect whole = inside;
     inside.width = std::max(1.0, std::floor(std::min(whole.width, whole.height * aspect)));
@@ -129,7 +140,7 @@ PageRect MapPanel::frame_inside(const PageRect& where, Graticule graticule, doub
 PageRect MapPanel::part_filled(const PageRect& panel,
                                double above_px,
                                const PageFormat& format) const {
-  if (!shows_whole_map() || panel.height <= above_px) return panel;
+  if (!shows_whole_map() || is_turned() || panel.height <= above_px) return panel;
   PageRect below = panel;
   below.height -= above_px;
   const PageRect frame = frame_inside(below, options_.graticule, format.px_per_pt());

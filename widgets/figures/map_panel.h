@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -59,7 +58,8 @@ class MapPanel {
                                      const PageFormat& format) const;
 
   /// Draws ground and border into a rectangle, and nothing over them; no coordinates where they would leave no room for
-  /// the map. Pixels that are as the last ones are not rendered again, so that a film renders a map that stands still once.
+  /// the map. Pixels that are as the last ones are not rendered again, so that a film renders a map that stands still once;
+  /// likewise each part of the ground.
   /// @returns the frame that lines are drawn with; the caller clips them by it.
   /// @errors as OverheadView::update and OffscreenRenderer::render.
   [[nodiscard]] Result<MapFrame> draw_ground(Canvas& canvas,
@@ -79,7 +79,8 @@ class MapPanel {
                                        const MapFrame& frame,
                                        std::span<const MapLayer> layers,
                                        bool is_lowest);
-  /// Thin lines across the map. @param look  Of a map that is turned, whose lines have their numbers with them.
+  /// Thin lines across the map. @param look  Of a map that is turned, whose lines have their numbers with them; others are
+  /// as draw_graticule_lines() has them.
   void draw_lines(Canvas& canvas,
                   const PageFormat& format,
                   const Place& place,
@@ -103,6 +104,12 @@ class MapPanel {
     std::vector<MapLayer> layers = {};  ///< That are drawn alone; none: all.
     friend bool operator==(const GroundState&, const GroundState&) = default;
   };
+  /// A part of the ground as it was rendered last.
+  struct RenderedGround {
+    GroundState state;
+    std::vector<PropStamp> content;  ///< What lay in its layers then.
+    Raster<Rgba> pixels;
+  };
 
   MapPanel(const ProjectPlane& plane,
            const Eigen::AlignedBox2d& bounds,
@@ -112,7 +119,10 @@ class MapPanel {
   [[nodiscard]] PageRect frame_inside(const PageRect& where, Graticule graticule, double px) const;
   [[nodiscard]] bool is_turned() const;
   void keep_on_map(MapFrame& frame) const;
-  [[nodiscard]] Result<void> render(FigureContext& context, const GroundState& wanted);
+  /// @returns what holds until the next call.
+  [[nodiscard]] Result<const Raster<Rgba>*> render(FigureContext& context,
+                                                   const GroundState& wanted);
+  [[nodiscard]] Result<void> choose_tiles(const MapSight& close);
 
   ProjectPlane plane_;
   Eigen::AlignedBox2d bounds_;
@@ -122,9 +132,8 @@ class MapPanel {
   Eigen::AlignedBox2d shown_;
   MapScene scene_;
   std::unique_ptr<OverheadView> picture_, labels_;  ///< Null: not shown.
-  std::optional<GroundState> drawn_;                ///< What pixels_ show, if anything, with ...
-  std::uint64_t content_stamp_ = 0;                 ///< ... what then lay in the scene.
-  Raster<Rgba> pixels_;
+  std::optional<MapSight> tiles_for_;     ///< That they show; nothing: they are to be chosen.
+  std::vector<RenderedGround> rendered_;  ///< One for each choice of layers, oldest first.
 };
 
 /// Line colours that fit the ground: with a casing over imagery.

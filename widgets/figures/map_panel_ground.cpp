@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What of a map's panel is drawn: the ground in parts, coordinates, scale bar and north arrow.
-#include <vtkProp.h>
-#include <vtkPropCollection.h>
-
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <vector>
 
 #include "widgets/figures/map_panel.h"
 #include "widgets/figures/page_layout.h"
@@ -14,37 +13,54 @@
 namespace nadir {
 namespace {
 
-/// Grows whenever something in the scene is changed, added or taken away.
-std::uint64_t stamp_of(vtkRenderer& renderer) {
-  std::uint64_t stamp = renderer.GetViewProps()->GetMTime();
-  vtkPropCollection& props = *renderer.GetViewProps();
-  vtkCollectionSimpleIterator place;
-  props.InitTraversal(place);
-  while (vtkProp* const prop = props.GetNextProp(place)) {
-    stamp = std::max<std::uint64_t>({stamp, prop->GetMTime(), prop->GetRedrawMTime()});
-  }
-  return stamp;
-}
+/// What is kept of parts for the next drawing is no more than this, so that parts of large pages do not fill the memory.
+constexpr std::size_t kMostKeptPixels = 64'000'000;
 
 }  // namespace
 
-Result<void> MapPanel::render(FigureContext& context, const GroundState& wanted) {
-  const bool is_where_it_was = drawn_ == wanted;
-  if (is_where_it_was && content_stamp_ == stamp_of(scene_.renderer())) return {};
-  drawn_.reset();  // for after a fault below other tiles are shown than those of the pixels
-  MapCamera close = wanted.camera;  // tiles as fine as the supersampled pixels
-  close.metres_per_px /= wanted.supersampling;
+Result<void> MapPanel::choose_tiles(const MapSight& close) {
   // Tiles are shown and hidden by this, which is a change for VTK, so only where others may be in sight.
+  if (tiles_for_ == close) return {};
+  tiles_for_.reset();  // after a fault below nobody knows which tiles are shown
   for (OverheadView* const view : {picture_.get(), labels_.get()}) {
-    if (is_where_it_was || view == nullptr) continue;
+    if (view == nullptr) continue;
     const auto updated =
-        view->update(close, wanted.width * wanted.supersampling,
-                     wanted.height * wanted.supersampling, std::numeric_limits<int>::max());
+        view->update(close.camera, static_cast<int>(close.width_px),
+                     static_cast<int>(close.height_px), std::numeric_limits<int>::max());
     if (!updated) return forward_error(updated);
   }
-  scene_.look({close, 1.0 * wanted.width * wanted.supersampling,
-               1.0 * wanted.height * wanted.supersampling,
-               wanted.px_per_pt * wanted.supersampling});
+  tiles_for_ = close;
+  return {};
+}
+
+Result<const Raster<Rgba>*> MapPanel::render(FigureContext& context, const GroundState& wanted) {
+  const auto is_current = [&](const RenderedGround& one) {
+    return one.content == scene_.stamps(one.state.layers);
+  };
+  for (const RenderedGround& one : rendered_) {
+    if (one.state == wanted && is_current(one)) return &one.pixels;
+  }
+  const auto kept_end =
+      std::stable_partition(rendered_.begin(), rendered_.end(), [&](const RenderedGround& one) {
+        return one.state.layers != wanted.layers && is_current(one);
+      });
+  // Freed when the new ones are there, so that other pixels lie at another address.
+  const std::vector<RenderedGround> replaced(std::make_move_iterator(kept_end),
+                                             std::make_move_iterator(rendered_.end()));
+  rendered_.erase(kept_end, rendered_.end());
+  std::size_t kept =
+      static_cast<std::size_t>(wanted.width) * static_cast<std::size_t>(wanted.height);
+  for (const RenderedGround& one : rendered_) kept += one.pixels.size();
+  while (!rendered_.empty() && kept > kMostKeptPixels) {
+    kept -= rendered_.front().pixels.size();
+    rendered_.erase(rendered_.begin());
+  }
+  MapSight close{wanted.camera, 1.0 * wanted.width * wanted.supersampling,
+                 1.0 * wanted.height * wanted.supersampling,
+                 wanted.px_per_pt * wanted.supersampling};
+  close.camera.metres_per_px /= wanted.supersampling;  // tiles as fine as the supersampled pixels
+  if (auto chosen = choose_tiles(close); !chosen) return forward_error(chosen);
+  scene_.look(close);
   scene_.set_background(wanted.background, wanted.is_transparent);
   const auto renderer = context.renderer();
   if (!renderer) return forward_error(renderer);
@@ -53,10 +69,13 @@ Result<void> MapPanel::render(FigureContext& context, const GroundState& wanted)
       (*renderer)->render(scene_.renderer(), wanted.width, wanted.height, wanted.supersampling);
   scene_.show_all();
   if (!pixels) return forward_error(pixels);
-  pixels_ = std::move(*pixels);
-  drawn_ = wanted;
-  content_stamp_ = stamp_of(scene_.renderer());
-  return {};
+  RenderedGround made;
+  made.state = wanted;
+  made.pixels = std::move(*pixels);
+  rendered_.push_back(std::move(made));
+  // What was hidden for this part counts as changed, and is as it was.
+  for (RenderedGround& one : rendered_) one.content = scene_.stamps(one.state.layers);
+  return &rendered_.back().pixels;
 }
 
 Result<void> MapPanel::draw_part(Canvas& canvas,
@@ -67,16 +86,16 @@ Result<void> MapPanel::draw_part(Canvas& canvas,
   const PageFormat& format = context.format();
   // A picture is smooth by itself; the edges of cells and marks are not.
   const bool has_edges = !shows_picture_ || scene_.holds_above(MapLayer::kPicture);
-  auto rendered = render(context, {frame.camera,
-                                   static_cast<int>(frame.where.width),
-                                   static_cast<int>(frame.where.height),
-                                   has_edges ? context.supersampling : 1,
-                                   frame.px_per_pt,
-                                   format.colours().page,
-                                   format.is_transparent || !is_lowest,
-                                   {layers.begin(), layers.end()}});
-  if (!rendered) return forward_error(rendered);
-  canvas.image(frame.where, pixels_);
+  const auto pixels = render(context, {frame.camera,
+                                       static_cast<int>(frame.where.width),
+                                       static_cast<int>(frame.where.height),
+                                       has_edges ? context.supersampling : 1,
+                                       frame.px_per_pt,
+                                       format.colours().page,
+                                       format.is_transparent || !is_lowest,
+                                       {layers.begin(), layers.end()}});
+  if (!pixels) return forward_error(pixels);
+  canvas.image(frame.where, **pixels);
   return {};
 }
 
@@ -84,7 +103,7 @@ void MapPanel::draw_lines(Canvas& canvas,
                           const PageFormat& format,
                           const Place& place,
                           const MapGridLook& look) const {
-  if (is_turned()) {
+  if (place.frame.camera.is_turned()) {
     draw_grid_lines(canvas, place.frame, look);
   } else {
     draw_graticule_lines(canvas, place.frame, place.graticule, plane_, format.colours());

@@ -43,11 +43,6 @@ MapLook own_look(const FigureOptions& options) {
   return look;
 }
 
-Layer layer_of_line(Source source) {
-  if (source == Source::kTruth) return Layer::kTruth;
-  return source == Source::kOdometry ? Layer::kOdometry : Layer::kEstimate;
-}
-
 }  // namespace
 
 FigureOptions with_stack_applied(FigureOptions options) {
@@ -109,29 +104,6 @@ std::span<const PoseMode> MomentMap::shown_modes(const RunStep& step) const {
   const std::span<const PoseMode> modes = step.estimate.modes;
   return is_in_sight(look_, Layer::kModes) ? modes
                                            : modes.first(std::min<std::size_t>(modes.size(), 1));
-}
-
-PathLook MomentMap::line_look(Layer layer, const Theme& theme) const {
-  PathLook look = layer == Layer::kTruth      ? truth_look(theme)
-                  : layer == Layer::kOdometry ? odometry_look(theme)
-                                              : estimate_look(theme);
-  const LayerLook& chosen = look_.layer(layer);
-  const bool is_of_line = layer == Layer::kTruth || layer == Layer::kOdometry;
-  const auto& colour =
-      chosen.colour || is_of_line ? chosen.colour : look_.layer(Layer::kEstimate).colour;
-  if (colour) look.colour = colour_from_hex(*colour).value_or(look.colour);
-  look.colour = faded(look.colour, chosen.opacity);
-  look.casing = faded(look.casing, chosen.opacity);
-  return look;
-}
-
-ModeLook MomentMap::mode_look(const Theme& theme) const {
-  const double opacity = look_.layer(Layer::kModes).opacity;
-  ModeLook look;
-  look.arrow = line_look(Layer::kModes, theme);
-  look.plate = with_opacity(theme.page, 0.85 * opacity);
-  look.words.colour = faded(theme.text, opacity);
-  return look;
 }
 
 void MomentMap::show(const RunStep& step, const OverheadMap& labels, const Theme& theme) {
@@ -229,12 +201,12 @@ Result<MapFrame> MomentMap::draw_parts(Canvas& canvas,
       continue;
     }
     for (const Layer layer : part.layers) {
-      if (layer == Layer::kGraticule) {
-        const LayerLook& grid = look_.layer(layer);
-        const auto own = grid.colour ? colour_from_hex(*grid.colour) : std::nullopt;
-        panel_->draw_lines(
-            canvas, format, place,
-            grid_look_on_imagery(theme, own.value_or(light_on_imagery(theme)), grid.opacity));
+      if (layer == Layer::kGraticule && is_own) {
+        panel_->draw_lines(canvas, format, place, grid_look(theme));
+        continue;
+      }
+      if (layer == Layer::kGraticule) {  // as the window has it, turned or not
+        draw_grid_lines(canvas, place.frame, grid_look(theme));
         continue;
       }
       canvas.push_clip(place.frame.where);
@@ -251,45 +223,6 @@ Result<MapFrame> MomentMap::draw_parts(Canvas& canvas,
   }
   if (!is_own) panel_->draw_border(canvas, format, place);
   return place.frame;
-}
-
-void MomentMap::draw_line_layer(Canvas& canvas,
-                                const MapFrame& frame,
-                                Layer layer,
-                                const FigureRun& run,
-                                std::size_t steps,
-                                const RunStep& step,
-                                const Theme& theme) const {
-  constexpr std::array<double, 3> kEllipseSigmas = {3.0, 2.0, 1.0};
-  for (const Source source : {Source::kOdometry, Source::kTruth, Source::kEstimate}) {
-    if (layer_of_line(source) != layer) continue;
-    std::vector<Eigen::Vector2d> path = path_of(run, source);
-    path.resize(steps);
-    draw_path(canvas, frame, path, line_look(layer, theme));
-  }
-  if (layer == Layer::kEllipses) {
-    PathLook thin = line_look(layer, theme);
-    thin.width_pt = 0.9;
-    for (const PoseMode& mode : shown_modes(step)) {
-      draw_ellipses(canvas, frame, mode.moments.mean.translation_m(),
-                    mode.moments.covariance.topLeftCorner<2, 2>(), kEllipseSigmas, thin);
-    }
-  }
-  if (layer == Layer::kModes && shown_modes(step).size() > 1) {
-    draw_modes(canvas, frame, shown_modes(step), mode_look(theme));
-  }
-}
-
-void MomentMap::draw_poses(Canvas& canvas,
-                           const MapFrame& frame,
-                           const RunStep& step,
-                           const Theme& theme) const {
-  for (const Source source : {Source::kOdometry, Source::kTruth, Source::kEstimate}) {
-    const auto pose = pose_of(step, source);
-    const Layer layer = layer_of_line(source);
-    if (!pose || !is_in_sight(look_, layer)) continue;
-    draw_pose(canvas, frame, *pose, 10.0, line_look(layer, theme));
-  }
 }
 
 }  // namespace nadir

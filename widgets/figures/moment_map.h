@@ -71,7 +71,9 @@ class MomentMap {
                   const MapFrame& frame,
                   const RunStep& step,
                   const Theme& theme) const;
+  [[nodiscard]] PathLook theme_look(Layer layer, const Theme& theme) const;
   [[nodiscard]] ModeLook mode_look(const Theme& theme) const;
+  [[nodiscard]] MapGridLook grid_look(const Theme& theme) const;
 
   std::unique_ptr<MapPanel> panel_;  ///< Before the views, which lie in its scene.
   FigureOptions options_;

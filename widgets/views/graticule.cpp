@@ -2,8 +2,6 @@
 #include "widgets/views/graticule.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "widgets/views/graticule_marks.h"
@@ -61,10 +59,6 @@ void draw_axis_names(Canvas& canvas,
               style);
 }
 
-bool is_turned(const MapFrame& frame) {
-  return !(std::abs(frame.camera.up_rad - std::numbers::pi / 2.0) <= 1e-9);
-}
-
 }  // namespace
 
 Eigen::Vector2d graticule_margin_px(Graticule kind, double px_per_pt) {
@@ -84,7 +78,7 @@ void draw_graticule(Canvas& canvas,
                     Graticule kind,
                     const ProjectPlane& plane,
                     const Theme& theme) {
-  if (kind == Graticule::kNone || is_turned(frame)) return;
+  if (kind == Graticule::kNone || frame.camera.is_turned()) return;
   const double px = frame.px_per_pt;
   const PageRect& where = frame.where;
   const GraticuleMarks marks = graticule_marks(frame, kind, plane, theme);
@@ -120,7 +114,7 @@ void draw_graticule_lines(Canvas& canvas,
                           Graticule kind,
                           const ProjectPlane& plane,
                           const Theme& theme) {
-  if (kind == Graticule::kNone || is_turned(frame)) return;
+  if (kind == Graticule::kNone || frame.camera.is_turned()) return;
   constexpr int kPieces = 16;  ///< Of a meridian across the map; it bends by less than a pixel.
   const GraticuleMarks marks = graticule_marks(frame, kind, plane, theme);
   const PathLook look{with_opacity(theme.page, 0.75), 0.4, false, with_opacity(theme.text, 0.3),

@@ -37,7 +37,8 @@ struct GraticuleMarks {
   std::vector<GraticuleMark> along_lower, along_left;
 };
 
-/// None along a border whose coordinates are not finite, or are lost in rounding. @param frame  Not turned.
+/// None along a border whose coordinates are not finite, or are lost in rounding. @param frame  Not turned. @param plane  Must
+/// outlive the borders, whose metres_from() asks it.
 [[nodiscard]] GraticuleMarks graticule_marks(const MapFrame& frame,
                                              Graticule kind,
                                              const ProjectPlane& plane,

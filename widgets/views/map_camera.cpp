@@ -3,8 +3,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
+#include "core/base/angle.h"
 #include "core/base/require.h"
 
 namespace nadir {
@@ -28,6 +30,10 @@ MapCamera MapCamera::fit(const Eigen::Vector2d& low_in_enu_m,
   camera.centre_in_enu_m = (low_in_enu_m + high_in_enu_m) / 2.0;
   camera.metres_per_px = std::max(size_m.x() / where.width, size_m.y() / where.height);
   return camera;
+}
+
+bool MapCamera::is_turned() const {
+  return !(std::abs(wrap_rad(up_rad - std::numbers::pi / 2.0)) <= 1e-9);
 }
 
 Eigen::Vector2d MapCamera::page_from_enu(const Eigen::Vector2d& point_in_enu_m,

@@ -24,6 +24,8 @@ struct MapCamera {
                                               const PageRect& where) const;
   [[nodiscard]] Eigen::Vector2d enu_from_page(const Eigen::Vector2d& point_on_page,
                                               const PageRect& where) const;
+  /// Whether anything but north is up, however often it was turned round.
+  [[nodiscard]] bool is_turned() const;
   friend bool operator==(const MapCamera&, const MapCamera&) = default;
 };
 

@@ -60,7 +60,13 @@ void MapScene::show_only(std::span<const MapLayer> layers) {
   order_.show_only(*renderer_, numbers_of(layers));
 }
 
+std::vector<PropStamp> MapScene::stamps(std::span<const MapLayer> layers) const {
+  return order_.stamps(*renderer_, numbers_of(layers));
+}
+
 void MapScene::set_background(Rgba colour, bool is_transparent) {
+  // Pixels are premultiplied while they are blended, so nothing is black: else it shines through what is translucent.
+  if (is_transparent) colour = {0, 0, 0, 0};
   renderer_->SetBackground(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
   renderer_->SetBackgroundAlpha(is_transparent ? 0.0 : 1.0);
 }

@@ -57,6 +57,9 @@ class MapScene {
   /// changed or taken away in between.
   void show_only(std::span<const MapLayer> layers);
   void show_all() { order_.show_all(); }
+  /// What lies in some layers, from below, with when it was changed last; being hidden and shown is a change. @param layers
+  /// Empty: all.
+  [[nodiscard]] std::vector<PropStamp> stamps(std::span<const MapLayer> layers) const;
   [[nodiscard]] bool holds_above(MapLayer layer) const {
     return order_.holds_above(static_cast<int>(layer));
   }
@@ -65,7 +68,7 @@ class MapScene {
   void detach(SightedView& view);
   [[nodiscard]] Eigen::Vector3d scene_from_enu(const Eigen::Vector2d& point_in_enu_m,
                                                MapLayer layer) const;
-  /// What shows where nothing lies; a transparent one leaves the pixels clear.
+  /// What shows where nothing lies; a transparent one leaves the pixels clear, whatever its colour.
   void set_background(Rgba colour, bool is_transparent);
   /// Points the renderer's camera, and lets views choose what is worth drawing.
   void look(const MapSight& sight);

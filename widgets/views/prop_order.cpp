@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/views/prop_order.h"
 
+#include <vtkProp.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -82,6 +83,19 @@ void PropOrder::show_only(vtkRenderer& renderer, std::span<const int> layers) {
     props[i]->VisibilityOff();
     hidden_.push_back(props[i]);
   }
+}
+
+std::vector<PropStamp> PropOrder::stamps(vtkRenderer& renderer, std::span<const int> layers) const {
+  const std::vector<vtkProp*> props = props_of(renderer);
+  std::vector<PropStamp> stamps;
+  for (std::size_t i = 0; i < props.size(); ++i) {
+    const bool is_wanted =
+        layers.empty() || std::find(layers.begin(), layers.end(), layers_[i]) != layers.end();
+    if (!is_wanted) continue;
+    stamps.push_back(
+        {props[i], std::max<std::uint64_t>(props[i]->GetMTime(), props[i]->GetRedrawMTime())});
+  }
+  return stamps;
 }
 
 void PropOrder::show_all() {

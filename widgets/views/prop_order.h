@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,13 @@ class vtkProp;
 class vtkRenderer;
 
 namespace nadir {
+
+/// A prop, and when it was changed last: neither is ever the same for another state of the same prop.
+struct PropStamp {
+  const vtkProp* prop = nullptr;
+  std::uint64_t changed = 0;  ///< By VTK's clock.
+  friend bool operator==(const PropStamp&, const PropStamp&) = default;
+};
 
 /// Keeps a renderer's props in the order of their layers, which is the order that they are drawn in: by their numbers, or as
 /// set_order() says.
@@ -22,6 +30,9 @@ class PropOrder {
   /// Hides what is visible of other layers, until show_all(). Nothing may be added or removed in between.
   void show_only(vtkRenderer& renderer, std::span<const int> layers);
   void show_all();
+  /// Of the props in some layers, in their order. @param layers  Empty: all.
+  [[nodiscard]] std::vector<PropStamp> stamps(vtkRenderer& renderer,
+                                              std::span<const int> layers) const;
   [[nodiscard]] bool holds_above(int layer) const {
     return !layers_.empty() && is_below(layer, layers_.back());
   }

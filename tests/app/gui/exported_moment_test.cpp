@@ -8,7 +8,10 @@
 #include "tests/widgets/figures/recorded_flight.h"
 #include "tests/widgets/figures/seen_page.h"
 #include "widgets/figures/figures.h"
+#include "widgets/figures/ground_layers.h"
 #include "widgets/panels/map_geometry.h"
+#include "widgets/panels/map_lines.h"
+#include "widgets/views/map_colours.h"
 
 namespace nadir {
 namespace exported_moment_test {
@@ -42,6 +45,17 @@ class ExportedMoment : public ::testing::Test {
     SeenPage page;
     EXPECT_TRUE((*figure)->draw(page, context).has_value());
     return page;
+  }
+  /// Colour of a source's line in the window's map, of the run that is active.
+  [[nodiscard]] Rgba window_colour(PoseSource source) const {
+    MapViewModel model;
+    model.look = request_.look;
+    model.map = std::make_shared<const MapIndex>(
+        std::make_shared<const OverheadMap>(read_overhead_map(request_.map).value()));
+    MapRun run;
+    run.colour = static_cast<std::size_t>(request_.run_colour);
+    run.is_active = true;
+    return run_path_look(model, run, source, theme(ThemeName::kLight)).colour;
   }
 
   ScratchFolder scratch_;
@@ -100,6 +114,47 @@ TEST_F(ExportedMoment, OfAMapThatGoesWithTheVehicleHasItInTheMiddleAndItsHeading
   const MapCamera window{estimate.translation_m(), 60.0 / where.width, estimate.yaw_rad};
   const Eigen::Vector2d start = street_step(0, {}).estimate.moments.mean.translation_m();
   EXPECT_LT((way.front() - window.page_from_enu(start, where)).norm(), 1e-6);
+}
+
+TEST_F(ExportedMoment, HasLinesInTheColoursOfTheWindowWhicheverRunIsActiveAndWhateverIsBelow) {
+  for (const int colour : {0, 1, 2, 3, 5}) {
+    for (const double labels : {1.0, 0.2}) {
+      request_.run_colour = colour;
+      request_.look.layer(Layer::kPicture).is_visible = false;
+      request_.look.layer(Layer::kLabels).opacity = labels;
+      request_.look.layer(Layer::kEstimate).opacity = 0.75;
+      const SeenPage page = drawn(recipe());
+      for (const PoseSource source :
+           {PoseSource::kTruth, PoseSource::kOdometry, PoseSource::kEstimate}) {
+        EXPECT_FALSE(page.line_in(window_colour(source)).empty())
+            << enum_name(source) << " of run " << colour + 1 << " over labels of " << labels;
+      }
+    }
+  }
+}
+
+TEST_F(ExportedMoment, HasTheEllipsesOfAHiddenEstimateInItsOwnColour) {
+  request_.look.layer(Layer::kEstimate) = {false, 0.5, "#FF8800"};
+  request_.look.layer(Layer::kEllipses).opacity = 0.5;
+  const Rgba window = faded(window_colour(PoseSource::kEstimate), 0.5);
+  EXPECT_EQ(window, faded({0xFF, 0x88, 0x00}, 0.25));
+  EXPECT_FALSE(drawn(recipe()).line_in(window).empty());
+  request_.look.layer(Layer::kEllipses).colour = "#112233";
+  EXPECT_FALSE(drawn(recipe()).line_in(faded({0x11, 0x22, 0x33}, 0.5)).empty());
+}
+
+TEST_F(ExportedMoment, TakesColoursOverImageryWhereTheWindowDoes) {
+  MapLook look = request_.look;
+  for (const double picture : {0.0, 0.2, 0.3, 0.31, 1.0}) {
+    for (const double labels : {0.0, 0.3, 0.4}) {
+      for (const bool is_picture_shown : {false, true}) {
+        look.layer(Layer::kPicture) = {is_picture_shown, picture, std::nullopt};
+        look.layer(Layer::kLabels).opacity = labels;
+        EXPECT_EQ(is_ground_below_lines(look), has_ground_picture(look, true))
+            << picture << " " << labels;
+      }
+    }
+  }
 }
 
 }  // namespace exported_moment_test

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "tests/app/gui/made_ground.h"
+#include "tests/support/page_pixels.h"
 
 namespace nadir {
 namespace ground_picture_test {
@@ -105,6 +106,29 @@ TEST_F(GroundPictureTest, OfAPartThatLiesOnLinesLetsThemThrough) {
   const auto is_clear = [](const Rgba& pixel) { return pixel.alpha == 0; };
   EXPECT_GT(std::count_if(part.values().begin(), part.values().end(), is_clear), 1000);
   EXPECT_FALSE(std::all_of(part.values().begin(), part.values().end(), is_clear));
+}
+
+TEST_F(GroundPictureTest, OfATranslucentPartHasItsOwnColoursInBothThemes) {
+  show(Layer::kLabels);
+  const Raster<Rgba> opaque = drawn();
+  show(Layer::kLabels, 0.5);
+  GroundPart above;
+  above.layers = {Layer::kLabels};
+  above.is_lowest = false;
+  for (const ThemeName theme : {ThemeName::kLight, ThemeName::kDark}) {
+    contents_.theme = theme;
+    const Raster<Rgba> part = drawn(above);
+    std::size_t compared = 0, off = 0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Rgba& pixel = part.values()[i];
+      if (pixel.alpha < 100) continue;  // beside the map
+      const Rgba& full = opaque.values()[i];
+      ++compared;
+      if (difference(pixel, {full.red, full.green, full.blue, 128}) > 2) ++off;
+    }
+    EXPECT_GT(compared, 1000U);
+    EXPECT_EQ(off, 0U) << "the window's colour shines through, of " << compared;
+  }
 }
 
 TEST_F(GroundPictureTest, WithoutAMapHasWhatTheRunRecorded) {

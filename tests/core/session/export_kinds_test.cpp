@@ -91,21 +91,42 @@ TEST_F(ExportKindsTest, SayInOneSentenceWhatWillBeDone) {
 TEST_F(ExportKindsTest, SayWhatOfTheMapTheyLeaveOut) {
   open_run();
   for (const ExportKind& one : export_kinds()) {
-    EXPECT_EQ(left_out_sentence(one, session_->view()), "") << one.name;
+    EXPECT_EQ(left_out_sentence(one, *session_), "") << one.name;
   }
   act("layer error-surface on");
-  EXPECT_EQ(left_out_sentence(kind("moment"), session_->view()), "Not in it: the error surface.");
+  EXPECT_EQ(left_out_sentence(kind("moment"), *session_), "Not in it: the error surface.");
   act("open " + copy_run("second.nadir").string());
   settle();
   act("measure 1 2");
-  EXPECT_EQ(left_out_sentence(kind("film"), session_->view()),
+  EXPECT_EQ(left_out_sentence(kind("film"), *session_),
             "Not in it: the error surface, 1 other run and what is measured.");
-  EXPECT_EQ(left_out_sentence(kind("trajectories"), session_->view()), "");
+  EXPECT_EQ(left_out_sentence(kind("trajectories"), *session_), "");
   act("rotate 30");
-  EXPECT_EQ(left_out_sentence(kind("trajectories"), session_->view()),
-            "Not in it: the turn of the map.");
-  EXPECT_THAT(left_out_sentence(kind("moment"), session_->view()), Not(HasSubstr("turn")));
-  EXPECT_EQ(left_out_sentence(kind("cdf"), session_->view()), "") << "it shows no map";
+  EXPECT_EQ(left_out_sentence(kind("trajectories"), *session_), "Not in it: the turn of the map.");
+  EXPECT_THAT(left_out_sentence(kind("moment"), *session_), Not(HasSubstr("turn")));
+  EXPECT_EQ(left_out_sentence(kind("cdf"), *session_), "") << "it shows no map";
+  act("rotate -30");
+  ASSERT_EQ(session_->view().map.up, MapUp::kFree);
+  EXPECT_EQ(left_out_sentence(kind("trajectories"), *session_), "") << "north is up again";
+}
+
+TEST_F(ExportKindsTest, SayThatBookmarksAreMissingFromAMoment) {
+  open_run();
+  act("bookmark here");
+  EXPECT_EQ(left_out_sentence(kind("moment"), *session_), "Not in it: bookmarks.");
+  EXPECT_EQ(left_out_sentence(kind("cdf"), *session_), "");
+}
+
+TEST_F(ExportKindsTest, SayThatOrderAndColoursAreTheWindowsOnly) {
+  open_run();
+  const std::string told = "Not in it: the order and colours of the layers.";
+  act("layer-colour truth #FF8800");
+  EXPECT_EQ(left_out_sentence(kind("trajectories"), *session_), told);
+  EXPECT_EQ(left_out_sentence(kind("moment"), *session_), "") << "it has them";
+  act("layer truth off");
+  EXPECT_EQ(left_out_sentence(kind("trajectories"), *session_), "") << "nobody sees it";
+  act("layer-move particles 1");
+  EXPECT_EQ(left_out_sentence(kind("trajectories"), *session_), told);
 }
 
 TEST_F(ExportKindsTest, OfAFilmIsAFigureInAFileOfAFilm) {

@@ -72,6 +72,13 @@ TEST(FigureRequest, OfAMomentIsTurnedAsTheMapIs) {
   EXPECT_THAT(figure_recipe_text(request), HasSubstr("up = \"heading\"\n"));
 }
 
+TEST(FigureRequest, OfAMomentHasTheColourThatTheWindowGaveTheRun) {
+  FigureRequest request = moment_request();
+  EXPECT_THAT(figure_recipe_text(request), Not(HasSubstr("run-colour"))) << "the first is usual";
+  request.run_colour = 2;
+  EXPECT_THAT(figure_recipe_text(request), HasSubstr("run-colour = 3\n")) << "counted from 1";
+}
+
 TEST(FigureRequest, OfAMomentGoesWithTheVehicleWhereTheMapDoes) {
   FigureRequest request = moment_request();
   request.look.is_following = true;

@@ -56,6 +56,35 @@ TEST(MapStack, LaidOnALookGivesTheSameSight) {
   EXPECT_EQ(look.order.back(), Layer::kLegend);
 }
 
+TEST(MapStack, HasEllipsesAndModesInTheLookOfAHiddenEstimate) {
+  const auto told = [](const MapLook& look) { return MapStack::of(look).text(); };
+  MapLook look = default_map_look();
+  for (LayerLook& layer : look.layers) layer.is_visible = false;
+  look.layer(Layer::kEllipses) = {true, 0.5, std::nullopt};
+  look.layer(Layer::kModes) = {true, 1.0, "#00FF00"};
+  look.layer(Layer::kEstimate) = {false, 0.5, "#FF8800"};
+  EXPECT_EQ(told(look), "ellipses:0.25#FF8800,modes#00FF00");
+  EXPECT_EQ(told(MapStack::of(look).laid_on(look)), told(look)) << "not twice as pale";
+  look.layer(Layer::kEstimate).is_visible = true;
+  EXPECT_EQ(told(look), "estimate:0.5#FF8800,ellipses:0.5,modes#00FF00") << "who draws them knows";
+  look.layer(Layer::kEstimate).opacity = 0.0;
+  EXPECT_EQ(told(look), "modes#00FF00") << "they cannot be seen either";
+}
+
+TEST(MapStack, HasColoursOfLinesOnly) {
+  MapLook look = default_map_look();
+  for (LayerLook& layer : look.layers) layer.colour = "#FF8800";
+  look.layer(Layer::kGraticule).is_visible = true;
+  EXPECT_EQ(MapStack::of(look).text(),
+            "picture,topview:0.8,particles,odometry#FF8800,truth#FF8800,estimate#FF8800,"
+            "ellipses#FF8800,modes#FF8800,graticule#FF8800");
+  for (const char* layer : {"picture", "labels", "topview", "disagreement", "particles"}) {
+    const auto refused = MapStack::from_text(std::string(layer) + "#FF8800");
+    ASSERT_FALSE(refused) << layer;
+    EXPECT_EQ(refused.error().message, std::string(layer) + " is no line and takes no colour");
+  }
+}
+
 TEST(MapStack, LeavesALookAsItIsWhereNobodyHasChosen) {
   EXPECT_EQ(MapStack{}.laid_on(made_look()), made_look());
   EXPECT_FALSE(MapStack{}.has(Layer::kPicture));

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "tests/support/error_text.h"
@@ -46,6 +47,14 @@ TEST(MapUpward, TakesAnyCourseRoundTheCircle) {
   EXPECT_EQ(MapUpward::from_text("450")->compass_deg, 90.0);
   EXPECT_EQ(MapUpward::from_text("-90")->compass_deg, 270.0);
   EXPECT_EQ(MapUpward::from_text("-1e-30")->compass_deg, 0.0) << "never 360";
+}
+
+TEST(MapUpward, IsNeverMoreThanHalfATurnFromEast) {
+  for (const char* course : {"0", "90", "269.5", "270", "300", "359.9999999999"}) {
+    const double up_rad = MapUpward::from_text(course)->up_rad(0.0);
+    EXPECT_LE(std::abs(up_rad), kPi) << course;
+  }
+  EXPECT_NEAR(MapUpward::from_text("359.9999999999")->up_rad(0.0), kPi / 2.0, 1e-9) << "north";
 }
 
 TEST(MapUpward, RefusesWhatIsNoDirection) {

@@ -71,6 +71,21 @@ TEST_F(SessionExportTest, AsksForTheRunsThatAFigureIsOf) {
   EXPECT_FALSE(Settings::parse(only_effect<DrawFigureEffect>().recipe, "r")->has("runs"));
 }
 
+TEST_F(SessionExportTest, AsksForTheColourThatTheActiveRunHas) {
+  open_run();
+  act(open(copy_run("second.nadir")));
+  settle();
+  act("export " + in("m.png"));
+  EXPECT_EQ(Settings::parse(only_effect<DrawFigureEffect>().recipe, "r")
+                ->number("options.run-colour")
+                .value(),
+            2.0);
+  act("run 1");
+  act("export " + in("m.png"));
+  EXPECT_FALSE(
+      Settings::parse(only_effect<DrawFigureEffect>().recipe, "r")->has("options.run-colour"));
+}
+
 TEST_F(SessionExportTest, AsksForAWidthWithinItsRange) {
   open_run();
   act("export " + in("m.png") + " moment 2400");
@@ -130,7 +145,7 @@ TEST_F(SessionExportTest, SaysWhatOfTheMapAFigureLeavesOut) {
   EXPECT_EQ(
       Settings::parse(only_effect<DrawFigureEffect>().recipe, "r")->text("options.up").value(),
       "270");
-  EXPECT_THAT(notice_texts(), ElementsAre("m.png: Not in it: the reconstruction."));
+  EXPECT_THAT(notice_texts(), ElementsAre("m.png does not show the reconstruction"));
 }
 
 TEST_F(SessionExportTest, SaysWhyTheShellCouldNotDoIt) {

@@ -95,7 +95,7 @@ TEST_F(SessionKeepingTest, LeavesTheLastSessionWhateverIsDoneInOneThatIsNotKept)
     act("look 1 2 44");
     act("save-layout mine");
     act("save");
-    EXPECT_THAT(notice_texts(), Contains(HasSubstr("what was open last stays")));
+    EXPECT_THAT(notice_texts(), Contains(HasSubstr("the next start shows what was open before")));
     session_->poll(1.5);
     poll_until(*session_, [&] {
       const auto text = read_text_file(preferences_file());

@@ -65,6 +65,40 @@ TEST_F(SessionRecipesTest, ReopensTheMapOfAMomentAsItLayAndWasTurned) {
               HasSubstr("p.toml: 'pictures' is no layer of a map"));
 }
 
+TEST_F(SessionRecipesTest, TakesOfAMomentsMapWhatTheRecipeSaysAndNoMore) {
+  open_run();
+  act("layer particles off");
+  const std::string stack = MapStack::of(session_->view().map).text();
+  const auto recipe = [this](const std::string& options) {
+    return open(scratch_.file("moment.toml",
+                              "figure = \"moment\"\nruns = [\"loop.nadir\"]\n"
+                              "[options]\n" +
+                                  options));
+  };
+  act(recipe("up = \"90\"\n"));
+  settle();
+  EXPECT_EQ(session_->view().map.up, MapUp::kFree) << "a figure that was drawn with --up alone";
+  EXPECT_NEAR(session_->view().map.up_rad, 0.0, 1e-12);
+  EXPECT_EQ(MapStack::of(session_->view().map).text(), stack);
+  act(recipe("laid-at = \"odometry\"\n"));
+  settle();
+  EXPECT_EQ(session_->view().map.topview_at, PoseSource::kOdometry);
+  EXPECT_EQ(session_->view().map.up, MapUp::kFree) << "it says nothing of it";
+  EXPECT_THAT(refused(recipe("laid-at = \"trth\"\n")),
+              HasSubstr("moment.toml: laid-at is 'trth': write estimate, truth or odometry"));
+}
+
+TEST_F(SessionRecipesTest, LeavesTheMapToOtherFiguresAsItIs) {
+  open_run();
+  act("rotate 30");
+  const MapLook before = session_->view().map;
+  act(open(scratch_.file("ways.toml",
+                         "figure = \"trajectories\"\nruns = [\"loop.nadir\"]\n[options]\n"
+                         "stack = \"picture\"\nup = \"90\"\nlaid-at = \"truth\"\n")));
+  settle();
+  EXPECT_EQ(session_->view().map, before);
+}
+
 TEST_F(SessionRecipesTest, RefusesARecipeWhoseRunIsGone) {
   EXPECT_THAT(refused(open(scratch_.file("m.toml", "figure = \"moment\"\nruns = [\"x.nadir\"]\n"))),
               HasSubstr("m.toml: its run x.nadir is not there"));

@@ -147,6 +147,7 @@ TEST_F(SessionRerunEndTest, ThatWasKilledIsOfferedByTheNextStartUpToItsLastStep)
   EXPECT_EQ(offer.remedy_title, "Open it");
   ASSERT_TRUE(offer.remedy);
   ASSERT_TRUE(session_->apply(*offer.remedy));
+  EXPECT_TRUE(session_->apply(actions::DismissNotice{offer.number})) << "as the same press asks";
   settle();
   ASSERT_THAT(session_->runs(), SizeIs(2));
   EXPECT_GT(document().steps.size(), 2U);

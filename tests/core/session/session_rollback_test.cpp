@@ -122,6 +122,25 @@ TEST_F(SessionRollbackTest, UndoLeavesWhatAnotherWindowHasMarked) {
   EXPECT_THAT(notes_of(run_), ElementsAre("mine", "mine too", "theirs"));
 }
 
+TEST_F(SessionRollbackTest, UndoTakesBackEachStepThoughOneMetWhatAnotherWindowHasMarked) {
+  open_run();
+  act("bookmark mine");
+  ASSERT_TRUE(write_bookmarks(run_,
+                              with_bookmark(read_bookmarks(run_).value(), {3.0, "theirs", {}}),
+                              read_bookmarks(run_).value()));
+  act("bookmark-remove 1");
+  EXPECT_THAT(notes_of(run_), ElementsAre("theirs"));
+  act("undo");
+  EXPECT_THAT(notes_of(run_), ElementsAre("mine", "theirs"));
+  EXPECT_EQ(session_->undo_title(), "Bookmark");
+  act("undo");
+  EXPECT_THAT(notes_of(run_), ElementsAre("theirs"));
+  act("redo");
+  EXPECT_THAT(notes_of(run_), ElementsAre("mine", "theirs"));
+  act("redo");
+  EXPECT_THAT(notes_of(run_), ElementsAre("theirs"));
+}
+
 TEST_F(SessionRollbackTest, UndoDoesNotBringBackWhatAnotherWindowHasRemoved) {
   open_run();
   act("bookmark one");

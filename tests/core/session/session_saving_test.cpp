@@ -126,6 +126,23 @@ TEST_F(SessionSavingTest, SaysInTheLogThatTheEndWasNotKept) {
   EXPECT_THAT(said, ElementsAre(HasSubstr("what was open is not kept for the next start: ")));
 }
 
+TEST_F(SessionSavingTest, SaysOfAWindowThatKeepsNoSessionThatPreferencesAreLost) {
+  SessionPlaces blocked = places();
+  blocked.config = scratch_.file("a-file", "x") / "config";
+  blocked.keeps_session = false;
+  session_ = std::make_unique<Session>(blocked);
+  act("theme light");
+  session_->poll(1.5);
+  poll_until(*session_, [&] { return !session_->saving_fault().empty(); });
+  EXPECT_THAT(notice_texts(), ElementsAre(HasSubstr("preferences cannot be kept: ")));
+  std::vector<std::string> said;
+  const LogSink before =
+      set_log_sink([&said](LogLevel /*level*/, const std::string& line) { said.push_back(line); });
+  session_.reset();
+  set_log_sink(before);
+  EXPECT_THAT(said, ElementsAre(HasSubstr("preferences are not kept: ")));
+}
+
 TEST_F(SessionSavingTest, SaysThatItCouldNotBeWrittenUntilTryingAgainWorks) {
   SessionPlaces blocked = places();
   const fs::path file = scratch_.file("a-file", "x");

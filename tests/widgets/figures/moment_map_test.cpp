@@ -3,8 +3,12 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <numbers>
 
+#include "core/map/overhead_map_file.h"
+#include "tests/support/error_text.h"
+#include "tests/support/page_pixels.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/widgets/figures/recorded_flight.h"
 #include "tests/widgets/figures/seen_page.h"
@@ -39,14 +43,21 @@ class MomentMaps : public ::testing::Test {
     recipe_.options.time_s = kMomentS;
     recipe_.options.crop = {60.0, kCentre};
   }
-  SeenPage drawn(const std::string& stack, const std::string& up = "north") {
+  [[nodiscard]] std::unique_ptr<Figure> made(const std::string& stack,
+                                             const std::string& up = "north") {
     recipe_.options.stack = MapStack::from_text(stack).value();
     recipe_.options.up = MapUpward::from_text(up).value();
-    FigureContext context(page_format(recipe_.options, figure_kind("moment")->aspect));
     auto figure = make_figure(recipe_);
     if (!figure) throw std::runtime_error(figure.error().message);
+    return std::move(*figure);
+  }
+  [[nodiscard]] PageFormat format() const {
+    return page_format(recipe_.options, figure_kind("moment")->aspect);
+  }
+  SeenPage drawn(const std::string& stack, const std::string& up = "north") {
+    FigureContext context(format());
     SeenPage page;
-    EXPECT_TRUE((*figure)->draw(page, context).has_value());
+    EXPECT_TRUE(made(stack, up)->draw(page, context).has_value());
     return page;
   }
   /// As the window would look there. @param picture  The ground.
@@ -117,7 +128,9 @@ TEST_F(MomentMaps, HaveLinesBelowTheGroundThatLiesOnThem) {
   EXPECT_TRUE(is_line_on_ground(drawn("labels,truth")));
   const SeenPage buried = drawn("truth,labels:0.5");
   EXPECT_FALSE(is_line_on_ground(buried));
-  EXPECT_NEAR(seen_at(buried, kPi / 2.0, kHouse).alpha, 128, 2) << "what lies below shows through";
+  const Rgba house = seen_at(buried, kPi / 2.0, kHouse), truth = class_colour(kBuilding);
+  EXPECT_NEAR(house.alpha, 128, 2) << "what lies below shows through";
+  EXPECT_LE(difference(house, {truth.red, truth.green, truth.blue, house.alpha}), 2) << "no veil";
 }
 
 TEST_F(MomentMaps, HaveTheOpacitiesAndColoursOfTheirLayers) {
@@ -135,6 +148,10 @@ TEST_F(MomentMaps, OfAMapWithoutAPictureHaveItsLabelsInThePicturesPlace) {
   write_street(scratch_.path() / "bare", false);
   recipe_.map = (scratch_.path() / "bare").string();
   EXPECT_EQ(seen_at(drawn("picture"), kPi / 2.0, kHouse), class_colour(kBuilding));
+  for (const char* stack : {"labels:0.4", "picture:0.4"}) {
+    const Rgba pale = seen_at(drawn(stack), kPi / 2.0, kHouse);
+    EXPECT_NEAR(pale.red, 0.4 * class_colour(kBuilding).red + 0.6 * light().page.red, 2.0) << stack;
+  }
 }
 
 TEST_F(MomentMaps, ShowNoGroundWhereNoneIsInSight) {
@@ -151,10 +168,80 @@ TEST_F(MomentMaps, SayWhatTheyCannotShow) {
   EXPECT_THAT(drawn("labels").words(), Not(HasSubstr("the map is without")));
 }
 
-TEST_F(MomentMaps, HaveLinesOfTheGraticuleAlsoWhereTheyAreTurned) {
-  EXPECT_FALSE(drawn("labels").has_text("E 20"));
-  const SeenPage page = drawn("labels,graticule", "30");
-  EXPECT_TRUE(page.has_text("E 20") || page.has_text("E 40") || page.has_text("N 20"));
+TEST_F(MomentMaps, HaveTheGraticuleOfTheWindowTurnedOrNot) {
+  const auto is_east = [](const auto& text) { return text.line.rfind("E ", 0) == 0; };
+  const auto count_of_east = [&is_east](const SeenPage& page) {
+    return std::count_if(page.texts.begin(), page.texts.end(), is_east);
+  };
+  EXPECT_EQ(count_of_east(drawn("labels")), 0);
+  for (const char* up : {"north", "30", "359.9999999999"}) {
+    const SeenPage page = drawn("labels,graticule:0.5#FF8800", up);
+    EXPECT_GT(count_of_east(page), 0) << up;
+    const Rgba line = grid_look_on_imagery(light(), kOrange, 0.5).line;
+    EXPECT_THAT(page.line_in(line), SizeIs(2)) << up;
+  }
+}
+
+TEST_F(MomentMaps, HaveEllipsesAsPaleAsTheEstimateUnlessTheyHaveAColour) {
+  const Rgba blue = light().estimate_on_imagery;
+  const SeenPage pale = drawn("labels,estimate:0.5,ellipses:0.5");
+  EXPECT_THAT(pale.line_in(faded(blue, 0.25)), Not(IsEmpty()));
+  const SeenPage orange = drawn("labels,estimate:0.5,ellipses:0.5#FF8800");
+  EXPECT_THAT(orange.line_in(faded(kOrange, 0.5)), Not(IsEmpty()));
+  EXPECT_THAT(orange.line_in(faded(blue, 0.25)), IsEmpty());
+}
+
+TEST_F(MomentMaps, HaveTheRunInTheColourThatItIsToHave) {
+  recipe_.options.run_colour = 3;
+  EXPECT_THAT(drawn("labels,estimate").line_in(light().third_run), Not(IsEmpty()));
+  EXPECT_THAT(drawn("labels,estimate#FF8800").line_in(kOrange), Not(IsEmpty()));
+}
+
+TEST_F(MomentMaps, WithoutAGroundHaveTheColoursOfThePage) {
+  for (const char* stack : {"truth,odometry,estimate", "labels:0.2,truth,odometry,estimate"}) {
+    const SeenPage page = drawn(stack);
+    EXPECT_THAT(page.line_in(light().truth), Not(IsEmpty())) << stack;
+    EXPECT_THAT(page.line_in(light().estimate), Not(IsEmpty())) << stack;
+    EXPECT_THAT(page.line_in(light().truth_on_imagery), IsEmpty()) << "white on white, " << stack;
+  }
+  const auto lines = [](const SeenPage& page) {
+    return std::count_if(page.strokes.begin(), page.strokes.end(),
+                         [](const auto& stroke) { return stroke.style.colour == light().line; });
+  };
+  EXPECT_GT(lines(drawn("graticule")), lines(drawn("none")));
+}
+
+TEST_F(MomentMaps, OfAFilmWithTwoPartsOfGroundAreThoseOfTheirMoments) {
+  const std::string stack = "labels,truth,topview:0.5,particles";
+  const std::unique_ptr<Figure> film = made(stack);
+  FigureContext context(format());
+  for (const double time_s : {2.5, 7.5, 2.5}) {
+    film->show_at(time_s);
+    SeenPage frame;
+    ASSERT_TRUE(film->draw(frame, context).has_value());
+    recipe_.options.time_s = time_s;
+    EXPECT_EQ(frame.pictures, drawn(stack).pictures) << time_s;
+  }
+}
+
+TEST_F(MomentMaps, OfAStepThatWasLostAreDrawnAllTheSame) {
+  RunStep lost = street_step(15, {});
+  lost.estimate.moments.mean = {std::nan(""), std::nan(""), std::nan("")};
+  lost.estimate.modes.clear();
+  const auto map = read_overhead_map(recipe_.map).value();
+  for (const char* up : {"north", "30", "heading"}) {
+    recipe_.options.crop = {};
+    recipe_.options.stack = MapStack::from_text("labels,truth,topview,estimate").value();
+    recipe_.options.up = MapUpward::from_text(up).value();
+    auto shown = MomentMap::create(recipe_.map, with_stack_applied(recipe_.options));
+    ASSERT_TRUE(shown) << error_text(shown);
+    (*shown)->show(lost, map, light());
+    FigureContext context(format());
+    SeenPage page;
+    const FigureRun run = open_figure_run(recipe_.runs[0], recipe_.options).value();
+    ASSERT_TRUE((*shown)->draw(page, context, {0.0, 0.0, 400.0, 400.0}, run, 16, lost)) << up;
+    EXPECT_THAT(page.line_in(light().truth_on_imagery), Not(IsEmpty())) << up;
+  }
 }
 
 }  // namespace moment_map_test

@@ -71,6 +71,17 @@ TEST(MapCamera, ShowsASinglePointAsAMetre) {
   expect_point(camera.page_from_enu({7, 7}, kPage), kPage.centre());
 }
 
+TEST(MapCamera, IsTurnedUnlessNorthIsUpHoweverOftenItWentRound) {
+  for (const double turns : {-3.0, -1.0, 0.0, 1.0, 7.0}) {
+    for (const double off_rad : {-1e-11, 0.0, 1e-11}) {
+      EXPECT_FALSE(MapCamera{.up_rad = kPi / 2.0 + 2.0 * kPi * turns + off_rad}.is_turned())
+          << turns;
+    }
+    EXPECT_TRUE(MapCamera{.up_rad = kPi / 2.0 + 2.0 * kPi * turns + 1e-6}.is_turned()) << turns;
+  }
+  EXPECT_TRUE(MapCamera{.up_rad = -kPi / 2.0}.is_turned()) << "south is up";
+}
+
 TEST(MapCamera, CannotFillNothing) {
   EXPECT_THROW((void)MapCamera::fit({0, 0}, {1, 1}, {0, 0, 0, 10}), std::logic_error);
   EXPECT_THROW((void)MapCamera::fit({0, 0}, {1, 1}, {0, 0, 10, 0}), std::logic_error);

@@ -178,6 +178,41 @@ TEST_F(Scene, BlendsHalfTransparentLayersFromBelow) {
   EXPECT_EQ(drawn.at(45 + 15, 30), kRed);
 }
 
+TEST_F(Scene, ShowsWhatIsTranslucentInItsOwnColourOnAClearBackgroundOfAny) {
+  MapScene scene({0, 0});
+  const auto half = ground(scene, {-20, -20, 40, 40}, {255, 0, 0, 128}, MapLayer::kLabels);
+  scene.add(*half, MapLayer::kLabels);
+  for (const Rgba background : {Rgba{250, 240, 230}, kBlue, Rgba{0, 0, 0}}) {
+    scene.set_background(background, true);
+    const Raster<Rgba> drawn = draw(scene, {{0, 0}, 1.0}, kWidth, kHeight);
+    EXPECT_LE(difference(drawn.at(45, 30), {255, 0, 0, 128}), 2);
+    EXPECT_EQ(drawn.at(1, 1), kNothing);
+  }
+  scene.set_background(kBlue, false);
+  EXPECT_LE(difference(draw(scene, {{0, 0}, 1.0}, kWidth, kHeight).at(45, 30), {128, 0, 127}), 1);
+  scene.remove(*half);
+}
+
+TEST_F(Scene, TellsWhichLayersHaveChanged) {
+  MapScene scene({0, 0});
+  const std::array picture = {MapLayer::kPicture}, topview = {MapLayer::kTopview};
+  const auto below = ground(scene, {-20, -20, 40, 40}, kRed, MapLayer::kPicture);
+  const auto above = ground(scene, {-10, -10, 20, 20}, kGreen, MapLayer::kTopview);
+  scene.add(*below, MapLayer::kPicture);
+  scene.add(*above, MapLayer::kTopview);
+  static_cast<void>(draw(scene, {{0, 0}, 1.0}, kWidth, kHeight));
+  const auto of_picture = scene.stamps(picture), of_topview = scene.stamps(topview);
+  static_cast<void>(draw(scene, {{5, 5}, 1.0}, kWidth, kHeight));
+  EXPECT_EQ(scene.stamps(picture), of_picture) << "the camera is none of them";
+  above->GetProperty()->SetOpacity(0.5);
+  EXPECT_EQ(scene.stamps(picture), of_picture);
+  EXPECT_NE(scene.stamps(topview), of_topview);
+  EXPECT_EQ(scene.stamps({}).size(), 2U) << "all";
+  scene.remove(*below);
+  EXPECT_TRUE(scene.stamps(picture).empty());
+  scene.remove(*above);
+}
+
 TEST_F(Scene, ForgetsWhatIsTakenOut) {
   MapScene scene({0, 0});
   const auto first = ground(scene, {-20, -20, 40, 40}, kRed, MapLayer::kPicture);
