@@ -44,4 +44,11 @@ std::vector<MapPart> map_parts(const MapLook& look) {
   return parts;
 }
 
+bool is_ground_below_lines(const MapLook& look) {
+  const auto shows = [&look](Layer layer) {
+    return look.layer(layer).is_visible && look.layer(layer).opacity > 0.3;
+  };
+  return shows(Layer::kPicture) || shows(Layer::kLabels);
+}
+
 }  // namespace nadir

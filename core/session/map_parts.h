@@ -14,6 +14,9 @@ namespace nadir {
 /// Whether a layer is shown and can be seen at all.
 [[nodiscard]] bool is_in_sight(const MapLook& look, Layer layer);
 
+/// Whether lines lie on a picture or labels, strong enough to be drawn as over imagery.
+[[nodiscard]] bool is_ground_below_lines(const MapLook& look);
+
 /// Layers that follow each other in the map's order and are drawn the same way.
 struct MapPart {
   bool is_ground = false;

@@ -44,11 +44,4 @@ double labels_opacity(const MapLook& look, bool has_picture) {
   return look.layer(are_in_their_own_place ? Layer::kLabels : Layer::kPicture).opacity;
 }
 
-bool is_ground_below_lines(const MapLook& look) {
-  const auto shows = [&look](Layer layer) {
-    return look.layer(layer).is_visible && look.layer(layer).opacity > 0.3;
-  };
-  return shows(Layer::kPicture) || shows(Layer::kLabels);
-}
-
 }  // namespace nadir

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/session/map_parts.h"
 #include "core/session/view_state.h"
 #include "widgets/views/map_scene.h"
 
@@ -18,7 +19,5 @@ namespace nadir {
                                                  bool has_picture);
 [[nodiscard]] bool shows_labels(const MapLook& look, bool has_picture);
 [[nodiscard]] double labels_opacity(const MapLook& look, bool has_picture);
-/// Whether lines lie on a picture or labels, strong enough to be drawn as over imagery: the same rule as the window's.
-[[nodiscard]] bool is_ground_below_lines(const MapLook& look);
 
 }  // namespace nadir

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/session/map_parts.h"
 #include "widgets/panels/map_lines.h"
 
 namespace nadir {
@@ -16,10 +17,7 @@ Layer layer_of_source(PoseSource source) {
 }
 
 bool has_ground_picture(const MapLook& look, bool has_map) {
-  const auto shows = [&](Layer layer) {
-    return look.layer(layer).is_visible && look.layer(layer).opacity > 0.3;
-  };
-  return has_map && (shows(Layer::kPicture) || shows(Layer::kLabels));
+  return has_map && is_ground_below_lines(look);
 }
 
 bool has_ground_picture(const MapViewModel& model) {
