@@ -6,6 +6,8 @@ get_property(modules GLOBAL PROPERTY NADIR_MODULES)
 install(TARGETS nadir_core ${modules} EXPORT nadirTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS nadir RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS nadir_film LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/nadir)
+set_target_properties(nadir PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}/nadir")
 include(core/cmake/NadirPrivateHeaders.cmake)
 set(private_headers)
 foreach(header IN LISTS NADIR_PRIVATE_HEADERS)

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 #include <optional>
 #include <string>
 
 #include "core/base/staged_output.h"
 #include "widgets/figures/figure_run.h"
+#include "widgets/figures/film_encoder.h"
 
 namespace nadir {
 namespace {
@@ -37,41 +35,21 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-bool open_writer(cv::VideoWriter& writer, const std::string& file, double fps, cv::Size size) {
-  for (const int codec :
-       {cv::VideoWriter::fourcc('a', 'v', 'c', '1'), cv::VideoWriter::fourcc('m', 'p', '4', 'v')}) {
-    if (writer.open(file, cv::CAP_FFMPEG, codec, fps, size)) return true;
-  }
-  return false;
-}
-
-/// OpenCV writes on without a word where the disk is full, so what is there is read again.
-Result<void> check_film(const std::string& file,
+/// Whether what was read again is what was written; on a full disk it is not.
+Result<void> check_film(const EncodedFilm& found,
+                        const EncodedFilm& written,
                         const std::filesystem::path& named,
-                        int frames,
-                        cv::Size size) {
-  const cv::VideoCapture film(file, cv::CAP_FFMPEG);
-  const int found = film.isOpened() ? static_cast<int>(film.get(cv::CAP_PROP_FRAME_COUNT)) : 0;
-  if (found != frames) {
+                        const std::filesystem::path& folder) {
+  if (found.frames != written.frames) {
     return fail(ErrorCode::kIo,
                 "{}: only {} of {} frames could be written to the temporary folder {}; is it full?",
-                named.string(), found, frames,
-                std::filesystem::path(file).parent_path().parent_path().string());
+                named.string(), found.frames, written.frames, folder.string());
   }
-  const cv::Size written(static_cast<int>(film.get(cv::CAP_PROP_FRAME_WIDTH)),
-                         static_cast<int>(film.get(cv::CAP_PROP_FRAME_HEIGHT)));
-  if (written != size) {
+  if (found.width != written.width || found.height != written.height) {
     return fail(ErrorCode::kIo, "{}: was written with {} x {} pixels and not {} x {}",
-                named.string(), written.width, written.height, size.width, size.height);
+                named.string(), found.width, found.height, written.width, written.height);
   }
   return {};
-}
-
-cv::Mat frame_of(Raster<Rgba>& pixels, cv::Size size) {
-  const cv::Mat rgba(pixels.height(), pixels.width(), CV_8UC4, pixels.data());
-  cv::Mat bgr;
-  cv::cvtColor(rgba(cv::Rect({0, 0}, size)), bgr, cv::COLOR_RGBA2BGR);
-  return bgr;
 }
 
 }  // namespace
@@ -113,27 +91,24 @@ Result<FilmSummary> write_film(Figure& figure,
     return fail(ErrorCode::kIo, "{}: there is no temporary folder to write it in", path.string());
   }
   const std::string file = (scratch.path() / "film.mp4").string();
-  const cv::Size size(context.format().width / 2 * 2, context.format().height / 2 * 2);
-  try {
-    cv::VideoWriter writer;
-    if (size.width < 2 || size.height < 2 || !open_writer(writer, file, options.fps, size)) {
-      return fail(ErrorCode::kUnsupported, "{}: this OpenCV cannot write MP4 of {} x {} pixels",
-                  path.string(), size.width, size.height);
-    }
-    for (int i = 0; i < summary.frames; ++i) {
-      if (work.is_stopped()) return fail(ErrorCode::kCancelled, "{}: was stopped", path.string());
-      figure.show_at(std::min(from_s + i * step_s, to_s));
-      auto pixels = draw_pixels(figure, context);
-      if (!pixels) return forward_error(pixels);
-      writer.write(frame_of(*pixels, size));
-      work.report(static_cast<double>(i + 1) / summary.frames, "drawing the film");
-    }
-    writer.release();
-    if (auto whole = check_film(file, path, summary.frames, size); !whole) {
-      return forward_error(whole);
-    }
-  } catch (const cv::Exception& error) {
-    return fail(ErrorCode::kIo, "{}: {}", path.string(), error.err);
+  const EncodedFilm film{summary.frames, context.format().width / 2 * 2,
+                         context.format().height / 2 * 2};
+  auto encoder = load_film_encoder();
+  if (!encoder) return forward_error(encoder, path.string());
+  auto begun = (*encoder)->begin(file, options.fps, film.width, film.height);
+  if (!begun) return forward_error(begun, path.string());
+  for (int i = 0; i < summary.frames; ++i) {
+    if (work.is_stopped()) return fail(ErrorCode::kCancelled, "{}: was stopped", path.string());
+    figure.show_at(std::min(from_s + i * step_s, to_s));
+    const auto pixels = draw_pixels(figure, context);
+    if (!pixels) return forward_error(pixels);
+    if (auto added = (*encoder)->add(*pixels); !added) return forward_error(added, path.string());
+    work.report(static_cast<double>(i + 1) / summary.frames, "drawing the film");
+  }
+  const auto found = (*encoder)->finish();
+  if (!found) return forward_error(found, path.string());
+  if (auto whole = check_film(*found, film, path, scratch.path().parent_path()); !whole) {
+    return forward_error(whole);
   }
   std::error_code error;
   std::filesystem::copy_file(file, staged->path(),

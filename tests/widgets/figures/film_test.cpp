@@ -8,6 +8,7 @@
 
 #include "tests/support/error_text.h"
 #include "tests/support/scratch_folder.h"
+#include "widgets/figures/film_encoder.h"
 
 namespace nadir {
 namespace film_test {
@@ -146,6 +147,15 @@ TEST(Film, EndsAtItsEndAndNotByRoundingBehindIt) {
   Witness single({0.3 - 2.4e-7, 0.3 - 2.4e-7});
   ASSERT_TRUE(write_film(single, context, {.from_s = 0.3}, folder.path() / "c.mp4", {}));
   EXPECT_THAT(single.shown_s, ElementsAre(0.3 - 2.4e-7));
+}
+
+TEST(FilmEncoder, IsALibraryOfItsOwnAndSaysWhereItIsMissing) {
+  EXPECT_TRUE(load_film_encoder());
+  EXPECT_THAT(error_text(load_film_encoder("libnadir_no_film.so")),
+              AllOf(HasSubstr("libnadir_no_film.so: films cannot be encoded: "),
+                    HasSubstr("No such file")));
+  EXPECT_THAT(error_text(load_film_encoder("libm.so.6")),  // there, but none of ours
+              HasSubstr("nadir_make_film_encoder"));
 }
 
 }  // namespace film_test
