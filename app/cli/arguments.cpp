@@ -72,7 +72,8 @@ std::optional<int> parse_arguments(CLI::App& app,
     return kDone;
   }
   if (!words.complaint.empty()) {
-    return report_misuse(err, full_name(*words.command), words.complaint);
+    const auto report = words.is_value_wrong ? report_value_error : report_misuse;
+    return report(err, full_name(*words.command), words.complaint);
   }
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

@@ -35,7 +35,8 @@ int report_error(std::ostream& err, const Error& error);
 /// Prints what is wrong with the command line of `command` ("nadir map info") and where help is. Returns kMisused.
 int report_misuse(std::ostream& err, const std::string& command, const std::string& complaint);
 
-/// The same of a command line that is well formed but gives a flag a value that it cannot have. Returns kFailed.
+/// The same of a command line that is well formed but gives a flag a value that it cannot have, be it empty, of another
+/// kind or out of its range. Returns kFailed.
 int report_value_error(std::ostream& err, const std::string& command, const std::string& complaint);
 
 /// Of what was made of flags: kInvalidOptions is a value error of the command line, anything else (a file that a flag

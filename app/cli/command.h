@@ -9,8 +9,8 @@
 namespace nadir::cli {
 
 inline constexpr int kDone = 0;
-inline constexpr int kFailed = 1;
-inline constexpr int kMisused = 2;
+inline constexpr int kFailed = 1;   ///< By a file, by what is in it, or by a value that cannot be.
+inline constexpr int kMisused = 2;  ///< The words of the command line are not those that there are.
 
 /// One command of the program. Results go to `out`, words to `err`.
 struct Command {

@@ -38,7 +38,8 @@ void print_help(std::ostream& out) {
          "'nadir --version' tells the version.\n"
          "\nResults go to standard output, words to standard error. Exit status:\n"
          "  0  done\n"
-         "  1  failed: something about files, what is in them, or a value out of its range\n"
+         "  1  failed: something about files, what is in them, or a value that is empty or\n"
+         "     out of its range\n"
          "  2  misused: an unknown flag or command, a missing argument, flags that exclude\n"
          "     each other\n";
 }

@@ -22,10 +22,18 @@ bool are_lines_wanted() {
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::ostream& err, bool is_quiet)
+std::string progress_line(const ProgressShare& share,
+                          double fraction,
+                          const std::string& activity) {
+  return fmt::format("progress {:.4f} {}", share.from + (share.to - share.from) * fraction,
+                     activity);
+}
+
+ProgressBar::ProgressBar(std::ostream& err, bool is_quiet, const ProgressShare& share)
     : err_(err),
       is_shown_(!is_quiet && ::isatty(STDERR_FILENO) == 1),
       writes_lines_(!is_quiet && are_lines_wanted()),
+      share_(share),
       began_(std::chrono::steady_clock::now()) {}
 
 ProgressBar::~ProgressBar() {
@@ -46,7 +54,7 @@ void ProgressBar::show(double fraction, const std::string& activity) {
   }
   drawn_ = now;
   if (writes_lines_) {
-    err_ << fmt::format("progress {:.4f} {}\n", fraction, activity) << std::flush;
+    err_ << progress_line(share_, fraction, activity) << '\n' << std::flush;
     return;
   }
   const auto filled = static_cast<std::size_t>(fraction * kWidth);

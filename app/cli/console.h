@@ -11,12 +11,22 @@
 
 namespace nadir::cli {
 
+/// The part of a larger piece of work that a smaller one is.
+struct ProgressShare {
+  double from = 0.0, to = 1.0;  ///< In [0, 1].
+};
+
+/// "progress 0.4300 drawing flight": a line that tells how far all of the work is. @param fraction  Of the share, in [0, 1].
+[[nodiscard]] std::string progress_line(const ProgressShare& share,
+                                        double fraction,
+                                        const std::string& activity);
+
 /// A bar with time left on a terminal; nothing where standard error is a file or a pipe, or where
 /// it was told to be quiet. With NADIR_PROGRESS=lines in the environment, lines "progress 0.43 drawing flight" instead,
-/// wherever they go: for programs that call this one.
+/// wherever they go: for programs that call this one. Those count all of the work, a bar only what is done now.
 class ProgressBar {
  public:
-  ProgressBar(std::ostream& err, bool is_quiet);
+  ProgressBar(std::ostream& err, bool is_quiet, const ProgressShare& share = {});
   ~ProgressBar();  ///< Wipes the bar.
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -26,6 +36,7 @@ class ProgressBar {
  private:
   std::ostream& err_;
   bool is_shown_, writes_lines_;
+  ProgressShare share_;
   std::string activity_;
   std::chrono::steady_clock::time_point began_, drawn_;
 };

@@ -92,6 +92,9 @@ void add_arguments(CLI::App& app, DemoArguments& values) {
   app.add_flag("--quiet", values.is_quiet, "No progress and no words beside the result");
 }
 
+/// How the demo's time is shared out on few cores, about: rendering the flight takes most of it.
+constexpr ProgressShare kOfFlight{0.0, 0.7}, kOfRun{0.7, 0.84}, kOfFigures{0.84, 1.0};
+
 /// What the demo has made.
 struct DemoResult {
   RunEvaluation evaluation;
@@ -106,10 +109,12 @@ Result<DemoResult> fly_and_localise(SimulateTask flight,
                                     std::ostream& err) {
   flight.map = folder / "map";
   flight.flight = folder / "flight";
+  flight.share = kOfFlight;
   if (const auto made = simulate(flight, stop, err); !made) return forward_error(made);
   task.flight = folder / "flight";
   task.map = folder / "map";
   task.run = folder / "run.nadir";
+  task.share = kOfRun;
   auto result = localise_and_evaluate(task, stop, err);
   if (!result) return forward_error(result);
   const std::span runs(&result->evaluation, 1);
@@ -120,7 +125,7 @@ Result<DemoResult> fly_and_localise(SimulateTask flight,
     }
   }
   const ReportRequest report{{task.run->string()}, task.map.string(), {}};
-  auto drawn = draw_report(report, folder / "report", stop, task.is_quiet, err);
+  auto drawn = draw_report(report, folder / "report", stop, task.is_quiet, err, kOfFigures);
   if (!drawn) return forward_error(drawn);
   return DemoResult{std::move(result->evaluation), std::move(*drawn)};
 }

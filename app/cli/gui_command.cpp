@@ -149,9 +149,13 @@ int run_gui(std::span<const std::string> arguments, std::ostream& out, std::ostr
     return recipe_text(*recipe);
   };
   for (std::string& file : request.files) file = fs::absolute(file).lexically_normal().string();
-  const auto done = is_unseen ? run_gui_unseen(request) : run_desktop_gui(request);
-  if (done) return kDone;
-  const int status = report_error(err, done.error());
+  int status = kDone;  // of what was opened; nobody reads a notice in a window that nobody sees
+  const auto done =
+      is_unseen
+          ? run_gui_unseen(request, [&](const Error& error) { status = report_error(err, error); })
+          : run_desktop_gui(request);
+  if (done) return status;
+  status = report_error(err, done.error());
   if (arguments.empty()) err << "'nadir --help' lists the commands that need no display\n";
   return status;
 }

@@ -232,7 +232,7 @@ Result<LocaliseResult> localise_and_evaluate(const LocaliseTask& task,
   recorder.begin_after(std::move(earlier_steps));
   Result<LocaliseSummary> summary;
   {
-    ProgressBar bar(err, task.is_quiet);
+    ProgressBar bar(err, task.is_quiet, task.share);
     bar.show(0.0, "preparing the map");
     const WorkContext context{stop, [&bar](double fraction, const std::string& activity) {
                                 bar.show(fraction, activity);

@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <string>
 
+#include "app/cli/console.h"
 #include "core/eval/run_evaluation.h"
 #include "core/run/localise_flight.h"
 
@@ -27,6 +28,7 @@ struct LocaliseTask {
   LocaliseRequest request;
   std::optional<LocaliseFrom> from;  ///< Instead of a prior; the request holds no resume point yet.
   bool is_quiet = false;
+  ProgressShare share = {};  ///< Of a demo.
 };
 
 /// What a run came to.

@@ -55,8 +55,10 @@ class Scan {
 
  private:
   /// Only the first fault is told; the next ones often follow from it.
-  void complain(const std::string& complaint) {
-    if (check_.complaint.empty()) check_.complaint = complaint;
+  void complain(const std::string& complaint, bool is_value_wrong = false) {
+    if (!check_.complaint.empty()) return;
+    check_.complaint = complaint;
+    check_.is_value_wrong = is_value_wrong;
   }
 
   /// Returns whether the next word is the flag's value.
@@ -93,7 +95,7 @@ class Scan {
     if (!value) {
       complain(fmt::format("{0}: its value is missing ({0} {1})", name, option->get_type_name()));
     } else if (value->empty()) {
-      complain(name + ": its value is empty");
+      complain(name + ": its value is empty", true);
     }
     return value && equals == std::string::npos;
   }
@@ -121,7 +123,7 @@ class Scan {
       last = option;
     }
     if (++arguments_ > most) complain(fmt::format("'{}' is one argument too many", word));
-    if (word.empty() && last != nullptr) complain(last->get_name() + ": is empty");
+    if (word.empty() && last != nullptr) complain(last->get_name() + ": is empty", true);
   }
 
   void read_command(const std::string& word, const std::vector<const CLI::App*>& commands) {

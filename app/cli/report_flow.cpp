@@ -2,7 +2,6 @@
 #include "app/cli/report_flow.h"
 
 #include "app/cli/command.h"
-#include "app/cli/console.h"
 #include "widgets/canvas/fonts.h"
 
 namespace nadir::cli {
@@ -11,10 +10,11 @@ Result<DrawnReport> draw_report(const ReportRequest& request,
                                 const std::filesystem::path& folder,
                                 const std::stop_token& stop,
                                 bool is_quiet,
-                                std::ostream& err) {
+                                std::ostream& err,
+                                const ProgressShare& share) {
   auto fonts = check_fonts();
   if (!fonts) return forward_error(fonts);
-  ProgressBar bar(err, is_quiet);
+  ProgressBar bar(err, is_quiet, share);
   const WorkContext work{
       stop, [&bar](double fraction, const std::string& activity) { bar.show(fraction, activity); }};
   auto summary = write_report(request, folder, work);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/console.h"
 #include "widgets/figures/report.h"
 
 namespace nadir::cli {
@@ -23,7 +24,8 @@ struct DrawnReport {
                                               const std::filesystem::path& folder,
                                               const std::stop_token& stop,
                                               bool is_quiet,
-                                              std::ostream& err);
+                                              std::ostream& err,
+                                              const ProgressShare& share = {});
 
 /// Prints what is missing: notes on fonts and data unless quiet, and in any case that this machine draws no maps.
 /// @returns the program's status: kFailed where it draws none although the report needs them, else kDone.

@@ -46,7 +46,7 @@ Result<SimulatedFlight> simulate(const SimulateTask& task,
   if (!path) return forward_error(path);
   Result<SimulatedFlight> flight;
   {
-    ProgressBar bar(err, task.is_quiet);
+    ProgressBar bar(err, task.is_quiet, task.share);
     bar.show(0.0, "raising the world");
     const WorkContext context{stop, [&bar](double fraction, const std::string& activity) {
                                 bar.show(fraction, activity);

@@ -6,6 +6,7 @@
 #include <ostream>
 #include <stop_token>
 
+#include "app/cli/console.h"
 #include "core/sim/simulated_flight.h"
 
 namespace nadir::cli {
@@ -17,6 +18,7 @@ struct SimulateTask {
   std::optional<FlownPath> path;  ///< A recorded path instead of a route.
   SimulationOptions options;
   bool is_quiet = false;
+  ProgressShare share = {};  ///< Of a demo.
 };
 
 /// Makes the flight with a progress bar. Words go to `err`. @errors as simulate_flight, and kNotFound where neither path

@@ -47,6 +47,18 @@ std::string complaint_of(const ChildProcess& process, int status) {
   return fmt::format("the command ended with status {} and said nothing", status);
 }
 
+/// What a command that has done its work said beside that: "nadir: DejaVu Sans is missing". Lines of libraries are none.
+std::vector<std::string> warnings_of(const ChildProcess& process) {
+  constexpr std::string_view kName = "nadir: ";
+  constexpr std::string_view kLeftOut = "left out: ";
+  std::vector<std::string> warnings;
+  for (const std::string& line : process.lines()) {
+    if (line.rfind(kName, 0) == 0) warnings.push_back(line.substr(kName.size()));
+    if (line.rfind(kLeftOut, 0) == 0) warnings.push_back(line);
+  }
+  return warnings;
+}
+
 /// A file that only this process and the command read.
 Result<fs::path> write_recipe(int job, const std::string& text) {
   std::error_code error;
@@ -135,7 +147,7 @@ bool EffectRunner::follow(Session& session, Work& work) {
   std::error_code error;
   if (!work.recipe.empty()) fs::remove(work.recipe, error);
   if (*status == 0) {
-    session.finish_effect(work.job, {}, work.made);
+    session.finish_effect(work.job, {}, work.made, warnings_of(work.process));
   } else {
     session.finish_effect(
         work.job,

@@ -22,7 +22,8 @@ class GuiShell::LogTap {
   LogTap(const LogTap&) = delete;
   LogTap& operator=(const LogTap&) = delete;
 
-  void tell(Session& session) {
+  /// @param told  Takes the numbers of the notices that come of it.
+  void tell(Session& session, std::set<int>& told) {
     std::vector<std::pair<LogLevel, std::string>> said;
     {
       const std::lock_guard lock(lines_->mutex);
@@ -31,6 +32,7 @@ class GuiShell::LogTap {
     for (const auto& [level, line] : said) {
       session.notify(level == LogLevel::kError ? Notice::Kind::kError : Notice::Kind::kWarning,
                      line);
+      if (!session.notices().empty()) told.insert(session.notices().back().number);
     }
   }
 
@@ -55,9 +57,18 @@ GuiShell::GuiShell(const GuiRequest& request, std::function<void(const std::stri
 
 GuiShell::~GuiShell() = default;
 
+std::vector<Error> GuiShell::failures() const {
+  std::vector<Error> failures;
+  for (const Notice& notice : session_.notices()) {
+    if (notice.kind != Notice::Kind::kError || said_by_libraries_.contains(notice.number)) continue;
+    failures.push_back({ErrorCode::kIo, notice.text});
+  }
+  return failures;
+}
+
 void GuiShell::poll(double elapsed_s) {
   constexpr double kLongestS = 1.0;  // of a machine that slept playback does not make up for
-  log_->tell(session_);
+  log_->tell(session_, said_by_libraries_);
   effects_.poll(session_);
   session_.poll(std::min(elapsed_s, kLongestS));
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <set>
+#include <vector>
 
 #include "app/gui/effect_runner.h"
 #include "app/gui/gui_window.h"
@@ -20,6 +22,9 @@ class GuiShell {
   GuiShell& operator=(const GuiShell&) = delete;
 
   [[nodiscard]] Session& session() { return session_; }
+  /// What has failed since the window was opened, as notices of errors tell it: of a window that nobody has touched yet, why
+  /// files could not be opened. What libraries said beside is not among it.
+  [[nodiscard]] std::vector<Error> failures() const;
   /// Goes on with all that goes on, without drawing: of a window that nobody can see. @param elapsed_s  Since the last one, or
   /// frame.
   void poll(double elapsed_s);
@@ -39,6 +44,7 @@ class GuiShell {
   double asked_scale_;
   bool is_first_frame_ = true;
   Session session_;
+  std::set<int> said_by_libraries_;  ///< Numbers of those notices.
   EffectRunner effects_;
   GuiWindow window_;
   std::unique_ptr<LogTap> log_;  ///< VTK's and other libraries' complaints become notices.

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "widgets/panels/about_overlay.h"
-#include "widgets/panels/notices.h"
 #include "widgets/panels/shortcuts.h"
 #include "widgets/panels/welcome_panel.h"
 
@@ -50,9 +49,16 @@ void GuiWindow::frame(kit::Ui& ui, double elapsed_s) {
   draw_columns(ui, places, asked);
   draw_splitters(ui, places, asked);
   draw_overlays(ui, asked);
-  // Beside a box that lies over the window there is more room in all of it.
-  const kit::Rect beside = is_overlay_open ? ui.screen() : places.map;
-  join(asked, draw_notices(ui, notices_model(session_), beside));
+  // Beside a box that lies over the window there is more room in all of it; else they stand above the legend, and right of the
+  // tools.
+  kit::Rect beside = is_overlay_open ? ui.screen() : places.map;
+  if (!is_overlay_open && !is_empty()) {
+    const double tools = map_.room.left * beside.width;
+    beside.left += tools;
+    beside.width -= tools;
+    beside.height -= map_.legend_height_px;
+  }
+  join(asked, draw_notices(ui, notices_model(session_), notices_, beside));
   forget_unseen();
   note_front(asked);
   for (const Action& action : asked) session_.apply(action);  // what fails becomes a notice

@@ -27,6 +27,7 @@
 #include "widgets/panels/map_view.h"
 #include "widgets/panels/moment_inquiry.h"
 #include "widgets/panels/moment_panel.h"
+#include "widgets/panels/notices.h"
 #include "widgets/panels/place_overlay.h"
 #include "widgets/panels/preferences_panel.h"
 #include "widgets/panels/runs_panel.h"
@@ -108,6 +109,7 @@ class GuiWindow {
   PreferencesState preferences_;
   PlaceState place_;
   BookmarkNoteState bookmark_note_;
+  NoticesState notices_;
   MapViewState map_;
   TimelineState timeline_;
   LayersState layers_;

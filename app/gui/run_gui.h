@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -28,7 +29,10 @@ struct GuiRequest {
 [[nodiscard]] Result<void> run_desktop_gui(const GuiRequest& request);
 
 /// The same window without a display: opens the files, does what the script says, takes the picture, ends.
+/// @param not_opened  Told why each of the request's files could not be opened, once the window has come to rest; script and
+/// picture follow all the same.
 /// @errors kUnsupported: no OpenGL; as the script's lines; kIo.
-[[nodiscard]] Result<void> run_gui_unseen(const GuiRequest& request);
+[[nodiscard]] Result<void> run_gui_unseen(const GuiRequest& request,
+                                          const std::function<void(const Error&)>& not_opened);
 
 }  // namespace nadir

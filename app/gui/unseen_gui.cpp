@@ -48,6 +48,7 @@ class UnseenStage {
   }
 
   ScriptStage& stage() { return stage_; }
+  [[nodiscard]] std::vector<Error> failures() const { return shell_.failures(); }
 
  private:
   void dress() { screen_.context().set_look(shell_.theme_name(), shell_.scale(1.0)); }
@@ -76,7 +77,8 @@ class UnseenStage {
 
 }  // namespace
 
-Result<void> run_gui_unseen(const GuiRequest& request) {
+Result<void> run_gui_unseen(const GuiRequest& request,
+                            const std::function<void(const Error&)>& not_opened) {
   std::string script;
   if (request.script) {
     auto read = read_script(*request.script);
@@ -90,6 +92,9 @@ Result<void> run_gui_unseen(const GuiRequest& request) {
   ScriptStage& stage = unseen.stage();
   const ScriptLine rest{1, "wait", {"wait"}};
   if (auto opened = run_script_line(rest, stage); !opened) return opened;
+  if (!request.files.empty()) {
+    for (const Error& failure : unseen.failures()) not_opened(failure);
+  }
   if (request.script) {
     if (auto done = run_gui_script(script, request.script->string(), stage); !done) return done;
     if (auto ended = run_script_line(rest, stage); !ended) return ended;

@@ -9,6 +9,8 @@
 
 #include "core/base/settings.h"
 #include "core/flight/flight_formats.h"
+#include "core/run/run_schema.h"
+#include "core/session/file_looks.h"
 
 namespace nadir {
 namespace fs = std::filesystem;
@@ -42,6 +44,23 @@ bool carries_recipe(const fs::path& path) {
   return beginning_of(path, kFarEnough).find("Drawn by Nadir") != std::string::npos;
 }
 
+constexpr std::string_view kWhatOpens =
+    "Nadir opens runs, flights, maps, recipes and figures that it has drawn";
+
+/// Of a database with a header of its own: every SQLite file holds there whose it is.
+bool is_foreign_database(const fs::path& path) {
+  constexpr std::size_t kIdAt = 68;
+  constexpr std::size_t kIdBytes = 4;
+  const std::string header = beginning_of(path, kIdAt + kIdBytes);
+  if (header.size() < kIdAt + kIdBytes)
+    return false;  // what is wrong with it is said by its reader
+  std::uint32_t id = 0;
+  for (std::size_t i = kIdAt; i < header.size(); ++i) {
+    id = (id << 8U) | static_cast<unsigned char>(header[i]);
+  }
+  return id != static_cast<std::uint32_t>(detail::kRunApplicationId);
+}
+
 bool is_flight_folder(const fs::path& folder) {
   return is_native_flight(folder) || is_kitti_raw_flight(folder) ||
          is_kitti_odometry_flight(folder);
@@ -68,15 +87,24 @@ Result<FileToOpen> file_to_open(const fs::path& path) {
     return fail(ErrorCode::kNotFound, "{}: does not exist", path.string());
   }
   if (fs::is_directory(path, error)) {
-    const bool is_map = fs::exists(path / "map.toml", error);
-    return FileToOpen{is_map ? FileKind::kMap : FileKind::kFlight, path};
+    if (fs::exists(path / "map.toml", error)) return FileToOpen{FileKind::kMap, path};
+    if (is_flight_folder(path)) return FileToOpen{FileKind::kFlight, path};
+    return fail(ErrorCode::kUnsupported,
+                "{}: is a folder that holds neither a map nor a flight (no map.toml, flight.toml "
+                "or KITTI files); {}",
+                path.string(), kWhatOpens);
   }
   if (path.filename() == "map.toml") return FileToOpen{FileKind::kMap, path.parent_path()};
   if (path.filename() == "flight.toml") return FileToOpen{FileKind::kFlight, path.parent_path()};
-  if (begins_like_sqlite(path)) return FileToOpen{FileKind::kRun, path};
+  if (begins_like_sqlite(path)) {
+    if (!is_foreign_database(path)) return FileToOpen{FileKind::kRun, path};
+    return fail(ErrorCode::kUnsupported, "{}: is an SQLite database, but no run; {}", path.string(),
+                kWhatOpens);
+  }
   const std::string ending = lower_case_ending(path);
   if (ending == ".nadir") {
-    return fail(ErrorCode::kMalformed, "{}: is not a run file", path.string());
+    return fail(ErrorCode::kMalformed, "{}: is not a run file, for it is {}; {}", path.string(),
+                looks_of_file(path), kWhatOpens);
   }
   if (ending == ".toml") {
     const auto kind = kind_of_toml(path);
@@ -88,7 +116,12 @@ Result<FileToOpen> file_to_open(const fs::path& path) {
     return fail(ErrorCode::kUnsupported, "{}: only PNG and SVG figures carry what they show",
                 path.string());
   }
-  return FileToOpen{FileKind::kFlight, path};
+  if (is_trajectory_file(path)) return FileToOpen{FileKind::kFlight, path};
+  const std::string looks = looks_of_file(path);
+  return fail(
+      ErrorCode::kUnsupported, "{}: is {}{}; {}", path.string(), looks,
+      looks == "a text" ? " whose first line is no pose of a trajectory (8 or 12 numbers)" : "",
+      kWhatOpens);
 }
 
 FileKind kind_at_a_glance(const fs::path& path, bool is_folder) {

@@ -27,6 +27,7 @@ struct JobStatus {
   double fraction = 0.0;  ///< In [0, 1].
   std::string activity;
   std::optional<double> left_s;
+  bool will_be_shown = false;  ///< What comes of it is waited for: there is nothing else to see.
 };
 
 }  // namespace nadir

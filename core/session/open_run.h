@@ -25,7 +25,7 @@ struct OpenRun {
   std::shared_ptr<StepCache> cache;             ///< Likewise.
   std::vector<WorstMoment> moments;
   std::vector<Bookmark> bookmarks;
-  bool is_live = false;  ///< Being written by this program now.
+  bool is_live = false;  ///< Being written by this program now, or its end is still to be read.
 };
 
 /// The map that is open, or on its way.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/eval/consistency.h"
+#include "core/mcl/option_effects.h"
 #include "core/run/run_options.h"
 #include "core/session/moment_episodes.h"
 #include "core/session/run_metrics.h"
@@ -114,8 +115,11 @@ std::vector<SettingDifference> setting_differences(RunDocuments runs) {
   std::vector<SettingDifference> rows;
   const auto add = [&](const std::string& name, const std::string& unit, const std::string& help,
                        const auto& value) {
-    SettingDifference row{name, unit, help, {}};
-    for (const auto& run : runs) row.values.push_back(value(run->header));
+    SettingDifference row{name, unit, help, {}, {}};
+    for (const auto& run : runs) {
+      row.values.push_back(value(run->header));
+      row.no_effect.push_back(why_no_effect(name, run->header.options));
+    }
     add_if_different(rows, std::move(row));
   };
   using Text = std::optional<std::string>;
@@ -150,6 +154,11 @@ std::vector<SettingDifference> setting_differences(RunDocuments runs) {
 }
 
 }  // namespace
+
+bool SettingDifference::has_effect() const {
+  const auto is_free = [](const std::string& why) { return why.empty(); };
+  return no_effect.empty() || std::any_of(no_effect.begin(), no_effect.end(), is_free);
+}
 
 std::string divergence_words(const DivergenceRule& rule) {
   return fmt::format(
@@ -208,8 +217,13 @@ RunComparison compare_runs(RunDocuments runs, const DivergenceRule& rule) {
     comparison.divergence.push_back(
         run == runs.front() ? std::nullopt : first_divergence(*runs.front(), *run, rule));
   }
-  comparison.settings = setting_differences(runs);
-  comparison.metrics = detail::metric_rows(runs, comparison.is_same_flight);
+  for (SettingDifference& row : setting_differences(runs)) {
+    auto& rows = row.has_effect() ? comparison.settings : comparison.idle_settings;
+    rows.push_back(std::move(row));
+  }
+  comparison.span = compared_span(runs);
+  comparison.metrics =
+      detail::metric_rows(evaluations_within(runs, comparison.span), comparison.do_compete());
   return comparison;
 }
 

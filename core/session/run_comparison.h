@@ -2,17 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "core/session/run_document.h"
+#include "core/session/compared_span.h"
 
 namespace nadir {
-
-using RunDocuments = std::span<const std::shared_ptr<const RunDocument>>;
 
 /// Something about the runs that is not the same in all of them. One value a run.
 struct SettingDifference {
@@ -21,9 +17,13 @@ struct SettingDifference {
   std::string unit;  ///< "m", or empty.
   std::string help;  ///< Of an option; empty where it is none that this version knows.
   std::vector<std::optional<std::string>> values;  ///< Nothing where a run does not say it.
+  /// What keeps it from having any effect in a run, "motion = scaled"; empty where it has one. See why_no_effect().
+  std::vector<std::string> no_effect = {};
+  /// In any of the runs: only then can it be why they differ.
+  [[nodiscard]] bool has_effect() const;
 };
 
-/// A number of `nadir evaluate`. One value a run.
+/// A number of `nadir evaluate`, over the span of the comparison. One value a run.
 struct MetricRow {
   std::string key;    ///< As in its JSON and CSV: "estimate_position_rmse_m".
   std::string label;  ///< For people: "Position RMSE".
@@ -32,7 +32,7 @@ struct MetricRow {
   std::vector<std::optional<double>> values;
   /// Which way is better, where one is: -1 lower, 1 higher.
   int better = 0;
-  /// The best of the known values; nothing where none is better than another. Only runs of one flight compete.
+  /// The best of the known values; nothing where none is better than another, or they do not compete.
   std::optional<std::size_t> best = {};
 };
 
@@ -81,9 +81,14 @@ struct RunComparison {
   bool is_same_flight = true, is_same_map = true;
   std::vector<SettingDifference>
       settings;  ///< Only what differs: facts first, then options in the order of the field list.
+  /// Options that differ, but have no effect in any of the runs.
+  std::vector<SettingDifference> idle_settings;
+  ComparedSpan span;               ///< That the metrics are over.
   std::vector<MetricRow> metrics;  ///< All of them, known or not.
   std::vector<std::optional<Divergence>>
       divergence;  ///< From the first run, one a run; nothing for the first itself.
+  /// Whether one of them can be better than another: runs of one flight, over the same time.
+  [[nodiscard]] bool do_compete() const { return is_same_flight && span.is_shared; }
 };
 
 /// @param runs  None null; may be one, or none.

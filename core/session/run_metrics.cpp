@@ -120,11 +120,11 @@ std::optional<std::size_t> best_of(const MetricRow& row) {
 
 }  // namespace
 
-std::vector<MetricRow> metric_rows(RunDocuments runs, bool is_same_flight) {
+std::vector<MetricRow> metric_rows(const std::vector<RunEvaluation>& evaluations, bool do_compete) {
   std::vector<MetricRow> rows;
   const auto add = [&](MetricRow row, const auto& value) {
-    for (const auto& run : runs) row.values.push_back(if_finite(value(run->evaluation)));
-    if (is_same_flight) row.best = best_of(row);
+    for (const RunEvaluation& run : evaluations) row.values.push_back(if_finite(value(run)));
+    if (do_compete) row.best = best_of(row);
     rows.push_back(std::move(row));
   };
   const auto add_facts = [&](const auto& facts) {

@@ -8,7 +8,8 @@
 namespace nadir::detail {
 
 /// The table of a comparison: every number of `nadir evaluate`, in its order, one value a run.
-/// @param is_same_flight  Whether there is a best one.
-[[nodiscard]] std::vector<MetricRow> metric_rows(RunDocuments runs, bool is_same_flight);
+/// @param do_compete  Whether there is a best one.
+[[nodiscard]] std::vector<MetricRow> metric_rows(const std::vector<RunEvaluation>& evaluations,
+                                                 bool do_compete);
 
 }  // namespace nadir::detail

@@ -127,6 +127,7 @@ void Session::Implementation::poll(double elapsed_s) {
   move_on(elapsed_s);
   let_go_of_particle();
   request_steps();
+  show_coming_run();
   for (const OpenRun& run : runs) {
     if (!run.cache) continue;
     for (const Error& error : run.cache->take_errors()) {
@@ -146,47 +147,6 @@ void Session::Implementation::add_log(std::string line, std::string key) {
   log_key = std::move(key);
   log.push_back(std::move(line));
   if (log.size() > kMostLogLines) log.erase(log.begin());
-}
-
-std::vector<JobStatus> Session::Implementation::jobs() const {
-  std::vector<JobStatus> list;
-  const auto add = [&list](int number, std::string title, const JobProgress& progress) {
-    list.push_back(
-        {number, std::move(title), progress.fraction, progress.activity, progress.remaining_s()});
-  };
-  for (std::size_t i = 0; i < works.size(); ++i) {
-    if (works[i].reading && !runs[i].document) {
-      add(works[i].number, "reading " + runs[i].name, works[i].reading->progress());
-    }
-  }
-  for (const RerunWork& work : reruns) {
-    add(work.number, (work.is_cancelled ? "stopping " : "localising ") + work.name,
-        work.job.progress());
-  }
-  for (const SmallWork& work : small_works) add(work.number, work.title, work.job.progress());
-  for (const EffectWork& work : effect_works) {
-    JobProgress progress{work.fraction, work.activity, 0.0};
-    progress.elapsed_s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - work.began).count();
-    add(work.number, work.title, progress);
-  }
-  std::sort(list.begin(), list.end(),
-            [](const JobStatus& a, const JobStatus& b) { return a.number < b.number; });
-  return list;
-}
-
-bool Session::Implementation::is_busy() const {
-  const bool is_reading =
-      map_reading.has_value() ||
-      std::any_of(works.begin(), works.end(),
-                  [](const RunWork& work) { return work.reading || work.is_last_reading_due; }) ||
-      std::any_of(flights.begin(), flights.end(),
-                  [](const auto& flight) { return flight.second.reading.has_value(); });
-  const bool is_decoding = std::any_of(runs.begin(), runs.end(), [](const OpenRun& run) {
-    return run.cache && !run.cache->is_cursor_ready();
-  });
-  return playback.is_playing || is_reading || is_decoding || !reruns.empty() ||
-         !small_works.empty() || !effect_works.empty();
 }
 
 const OpenRun* Session::Implementation::active() const {

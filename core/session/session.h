@@ -101,6 +101,8 @@ class Session {
   [[nodiscard]] std::span<const std::string> maps_for_flight() const;
   /// Why session or preferences could not be written last; empty: they are kept.
   [[nodiscard]] const std::string& saving_fault() const;
+  /// Whether the next start shows what is open now; see SessionPlaces.
+  [[nodiscard]] bool keeps_session() const;
   [[nodiscard]] std::vector<std::string> layout_names() const;
   [[nodiscard]] std::optional<std::string> undo_title() const;
   [[nodiscard]] std::optional<std::string> redo_title() const;
@@ -108,8 +110,12 @@ class Session {
   [[nodiscard]] int memory_budget_megabytes() const;
 
   [[nodiscard]] std::vector<Effect> take_effects();
-  /// @param error  Empty: done; the file that came of it is `made`.
-  void finish_effect(int job, const std::string& error, const std::string& made);
+  /// @param error     Empty: done; the file that came of it is `made`.
+  /// @param warnings  What its user should know of that file, each half a sentence.
+  void finish_effect(int job,
+                     const std::string& error,
+                     const std::string& made,
+                     const std::vector<std::string>& warnings = {});
   void report_effect(int job, double fraction, const std::string& activity);
   /// Jobs of effects that the user has cancelled since the last call: the shell stops them.
   [[nodiscard]] std::vector<int> take_cancelled_effects();

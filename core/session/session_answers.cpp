@@ -79,6 +79,10 @@ std::span<const std::string> Session::maps_for_flight() const {
 
 const std::string& Session::saving_fault() const { return implementation_->saving_fault; }
 
+bool Session::keeps_session() const {
+  return implementation_->places.keeps_session && !implementation_->places.config.empty();
+}
+
 std::vector<std::string> Session::layout_names() const {
   std::vector<std::string> names = {"default"};
   for (const auto& [name, layout] : implementation_->kept.layouts) names.push_back(name);
@@ -105,8 +109,11 @@ int Session::memory_budget_megabytes() const { return implementation_->kept.memo
 
 std::vector<Effect> Session::take_effects() { return std::exchange(implementation_->effects, {}); }
 
-void Session::finish_effect(int job, const std::string& error, const std::string& made) {
-  implementation_->finish_effect(job, error, made);
+void Session::finish_effect(int job,
+                            const std::string& error,
+                            const std::string& made,
+                            const std::vector<std::string>& warnings) {
+  implementation_->finish_effect(job, {error, made, warnings});
 }
 
 void Session::report_effect(int job, double fraction, const std::string& activity) {

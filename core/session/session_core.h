@@ -62,20 +62,20 @@ struct Session::Implementation {
   std::optional<TimedRun> timed_run;
   std::optional<double> wanted_time_s;  ///< To be set once the active run is settled.
   std::string followed_run;  ///< Path of a run that grows, to whose end the cursor keeps; or empty.
+  std::string
+      coming_run;  ///< Path of one that takes the place of what is seen with its first step.
   std::vector<ForeignBookmarks> foreign_bookmarks;  ///< That the action at work has come upon.
   /// Run and step at which a particle was selected: it is no other step's.
   std::optional<std::pair<std::string, int>> particle_step;
 
   // What is written into the user's folder.
-  std::string
-      saved_session;  ///< As the file is known to hold it, or as it would have been at the start.
+  std::string saved_session;  ///< As the file holds it, or would have held it at the start.
   Preferences
       saved_preferences;  ///< This session's as it last wrote or read them; another one may have written since.
   Savings being_saved;
   bool is_saving_due = false;  ///< Somebody has asked for it.
   WritingList writing{places.config};
-  std::vector<std::string>
-      unfinished;  ///< Runs that a killed program has left, and that are offered.
+  std::vector<std::string> unfinished;  ///< Runs that a killed program left, and that are offered.
   double since_saving_s = 0.0;
   std::optional<Job<int, int>> saving;
   std::string saving_fault;  ///< Why the last attempt failed; empty: it did not.
@@ -87,8 +87,6 @@ struct Session::Implementation {
   void poll(double elapsed_s);
   void settle(const KeptState& before, std::string title, std::string merge_key);
   void add_log(std::string line, std::string key);
-  [[nodiscard]] std::vector<JobStatus> jobs() const;
-  [[nodiscard]] bool is_busy() const;
   [[nodiscard]] const OpenRun* active() const;
   [[nodiscard]] const RunDocument* active_document() const;
   /// The active run with its steps. @errors kInvalidOptions: "open a run first", "R is still being read".
@@ -109,6 +107,11 @@ struct Session::Implementation {
     change(kept);
     history.amend(change, kept, since);
   }
+
+  // session_jobs.cpp
+  Result<void> perform(const actions::CancelJob& action);
+  [[nodiscard]] std::vector<JobStatus> jobs() const;
+  [[nodiscard]] bool is_busy() const;
 
   // session_notices.cpp
   Result<void> perform(const actions::DismissNotice& action);
@@ -200,7 +203,10 @@ struct Session::Implementation {
   Result<void> perform(const actions::Fit& action);
   [[nodiscard]] MapLook resolved_look() const;
   [[nodiscard]] MapLook fitted(MapLook look, FitTo to) const;
-  /// Moves the map where it does not show estimate and truth of the moment. It belongs to time, which is not undone.
+  /// What shows all of a run, or of the map, stays as it is when this run begins, which is small at first.
+  [[nodiscard]] std::optional<HeldView> hold_view_for(const std::string& run);
+  /// Has the map show estimate, truth and particles of the moment: moved where they are not in view, nearer where they would be
+  /// tiny. It belongs to time, which is not undone.
   void bring_moment_into_view();
 
   // session_layout.cpp
@@ -230,7 +236,6 @@ struct Session::Implementation {
 
   // session_rerun.cpp
   Result<void> perform(const actions::Rerun& action);
-  Result<void> perform(const actions::CancelJob& action);
   /// @param run  To be run again; null: the flight is what is known.
   [[nodiscard]] Result<std::filesystem::path> name_of_next_run(const FlightDescription& flight,
                                                                const OpenRun* run) const;
@@ -243,6 +248,7 @@ struct Session::Implementation {
   void say_what_of_map_changed(const OpenRun& run);
   void poll_reruns();
   void end_rerun(RerunWork& work);
+  void show_coming_run();
 
   // session_export.cpp
   Result<void> perform(const actions::ExportFigure& action);
@@ -251,9 +257,9 @@ struct Session::Implementation {
   Result<void> perform(const actions::Copy& action);
   Result<void> perform(const actions::CopyView& action);
   Result<void> perform(const actions::PasteView& action);
-  [[nodiscard]] int begin_effect(std::string title, bool opens_result = false);
+  EffectWork& begin_effect(std::string title);
   void report_effect(int job, double fraction, const std::string& activity);
-  void finish_effect(int job, const std::string& error, const std::string& made);
+  void finish_effect(int job, const EffectEnd& end);
   void poll_small_works();
 
   // session_bookmarks.cpp

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What leaves the window: figures, tables, reports and texts.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -26,15 +28,29 @@ std::string ending_of_output(const fs::path& path) {
   return ending;
 }
 
+/// One notice for all that there is to say of a file: "/maps/m.png was written; it does not show the error surface".
+Notice notice_of_file(const EffectEnd& end, const std::vector<std::string>& warnings) {
+  constexpr std::size_t kMostInSentence = 2;
+  Notice notice;
+  // What was wrong with it stays to be read; what the map shows and it does not was said before it was made.
+  if (!end.warnings.empty()) notice.kind = Notice::Kind::kWarning;
+  notice.text = end.made + " was written";
+  if (warnings.size() > kMostInSentence) {
+    notice.text += fmt::format(", with {} warnings", warnings.size());
+    notice.details = fmt::format("{}", fmt::join(warnings, "\n"));
+  } else {
+    for (const std::string& warning : warnings) notice.text += "; " + warning;
+  }
+  return notice;
+}
+
 }  // namespace
 
-int Session::Implementation::begin_effect(std::string title, bool opens_result) {
-  EffectWork work;
+EffectWork& Session::Implementation::begin_effect(std::string title) {
+  EffectWork& work = effect_works.emplace_back();
   work.number = ++last_number;
   work.title = std::move(title);
-  work.opens_result = opens_result;
-  effect_works.push_back(std::move(work));
-  return last_number;
+  return work;
 }
 
 void Session::Implementation::report_effect(int job, double fraction, const std::string& activity) {
@@ -45,27 +61,27 @@ void Session::Implementation::report_effect(int job, double fraction, const std:
   }
 }
 
-void Session::Implementation::finish_effect(int job,
-                                            const std::string& error,
-                                            const std::string& made) {
+void Session::Implementation::finish_effect(int job, const EffectEnd& end) {
   const auto found = std::find_if(effect_works.begin(), effect_works.end(),
                                   [job](const EffectWork& work) { return work.number == job; });
   if (found == effect_works.end()) return;
   const EffectWork work = *found;
   effect_works.erase(found);
-  if (!error.empty()) {
+  if (!end.error.empty()) {
     if (work.is_cancelled) {
       add_notice(Notice::Kind::kInfo, work.title + " was stopped");
     } else {
-      add_notice(Notice::Kind::kError, error);
+      add_notice(Notice::Kind::kError, end.error);
     }
     return;
   }
-  if (!work.opens_result) {
-    add_notice(Notice::Kind::kInfo, fmt::format("{} was written", made));
+  if (work.opens_result) {
+    static_cast<void>(apply(actions::OpenFile{end.made}));  // says itself why not
     return;
   }
-  static_cast<void>(apply(actions::OpenFile{made}));  // says itself why not
+  std::vector<std::string> warnings = work.warnings;
+  warnings.insert(warnings.end(), end.warnings.begin(), end.warnings.end());
+  add_notice(notice_of_file(end, warnings));
 }
 
 Result<void> Session::Implementation::perform(const actions::ExportFigure& action) {
@@ -103,12 +119,11 @@ Result<void> Session::Implementation::perform(const actions::ExportFigure& actio
     return fail(ErrorCode::kInvalidOptions, "no map is open: open one first");
   }
   if (const auto free = StagedOutput::file(file); !free) return forward_error(free);
+  std::vector<std::string> warnings;
   const ExportKind* const kind = export_kind(request.figure);
   if (kind != nullptr) {
     const std::string missing = left_out_words(*kind, kept.view, active());
-    if (!missing.empty()) {
-      add_notice(Notice::Kind::kInfo, file.filename().string() + " does not show " + missing);
-    }
+    if (!missing.empty()) warnings.push_back("it does not show " + missing);
   }
   request.map = kept.view.map_path;
   request.time_s = playback.time_s;
@@ -117,8 +132,9 @@ Result<void> Session::Implementation::perform(const actions::ExportFigure& actio
   request.from_s = playback.loop_from_s;
   request.to_s = playback.loop_to_s;
   request.speed = playback.speed;
-  const int job = begin_effect("drawing " + file.filename().string());
-  effects.emplace_back(DrawFigureEffect{job, figure_recipe_text(request), file.string()});
+  EffectWork& work = begin_effect("drawing " + file.filename().string());
+  work.warnings = std::move(warnings);
+  effects.emplace_back(DrawFigureEffect{work.number, figure_recipe_text(request), file.string()});
   return {};
 }
 
@@ -163,7 +179,7 @@ Result<void> Session::Implementation::perform(const actions::WriteReport& action
   for (const RunLook& look : kept.view.runs) {
     if (look.is_shown) shown.push_back(look.path);
   }
-  const int job = begin_effect("writing the report " + folder.filename().string());
+  const int job = begin_effect("writing the report " + folder.filename().string()).number;
   effects.emplace_back(
       WriteReportEffect{job, std::move(shown), kept.view.map_path, folder.string()});
   return {};

@@ -45,7 +45,10 @@ std::pair<std::string, RunOptions> known_preset(const std::string& name) {
 
 Result<OptionsBase> Session::Implementation::draft_base() const {
   const std::string& name = kept.view.draft.preset;
-  const OpenRun* const run = active();
+  const auto coming = std::find_if(runs.begin(), runs.end(), [this](const OpenRun& one) {
+    return one.path == coming_run;  // the one that was begun last
+  });
+  const OpenRun* const run = coming != runs.end() ? &*coming : active();
   if (name != kOptionsOfRun || run == nullptr) {
     const std::string preset = name == kOptionsOfRun ? "default" : name;
     const auto options = run_preset(preset);

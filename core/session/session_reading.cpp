@@ -117,7 +117,7 @@ void Session::Implementation::reconcile_runs() {
 void Session::Implementation::begin_reading(std::size_t run) {
   const auto earlier = runs[run].document;
   works[run].since_reading_s = 0.0;
-  works[run].is_last_reading_due = false;
+  works[run].is_last_reading = std::exchange(works[run].is_last_reading_due, false);
   works[run].file = file_state(runs[run].path);
   works[run].since_look_s = 0.0;
   works[run].reading.emplace(
@@ -143,6 +143,7 @@ void Session::Implementation::take_run(std::size_t index) {
   OpenRun& run = runs[index];
   Result<ReadRun> read = std::move(*work.reading->outcome());
   work.reading.reset();
+  if (std::exchange(work.is_last_reading, false)) run.is_live = false;
   if (!read) {
     if (run.document) {  // it was readable before; what is there of it stays
       add_notice(Notice::Kind::kWarning, read.error().message);
@@ -152,6 +153,7 @@ void Session::Implementation::take_run(std::size_t index) {
     drop_run(run.path.string());
     return;
   }
+  if (run.is_live && !run.document) work.held_view = hold_view_for(run.path.string());
   const auto before = std::exchange(run.document, std::move(read->document));
   run.moments = run.document->worst_moments;
   const std::string path = run.path.string();
@@ -196,9 +198,19 @@ void Session::Implementation::let_go_of_follow(std::size_t index) {
 void Session::Implementation::drop_run(const std::string& path) {
   std::erase(recents, path);
   if (followed_run == path) followed_run.clear();
-  amend([&path](KeptState& state) {
+  if (coming_run == path) coming_run.clear();
+  std::optional<HeldView> held;  // for a run that leaves nothing: then all is as it was
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i].path == path) held = works[i].held_view;
+  }
+  amend([&](KeptState& state) {
     take_run_out(state.view, path);
     state.bookmarks.erase(path);
+    MapLook& map_look = state.view.map;
+    if (!held || map_look.width_m != held->width_m) return;
+    if (map_look.centre_in_enu_m != held->centre_in_enu_m) return;
+    map_look.centre_in_enu_m = held->centre_before_in_enu_m;
+    map_look.width_m = 0.0;
   });
   reconcile();
 }
@@ -266,7 +278,10 @@ void Session::Implementation::request_steps() {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!runs[i].cache || !kept.view.runs.at(i).is_shown) continue;
     const RunDocument& there = *runs[i].document;
-    const auto index = there.index_at(here->time_in(there, playback.time_s));
+    // Of one that will be shown from its end on, that is what will be seen.
+    const bool begins_at_end = runs[i].path == coming_run && runs[i].path == followed_run;
+    const auto index =
+        there.index_at(begins_at_end ? there.duration_s() : here->time_in(there, playback.time_s));
     if (!index) continue;
     const bool is_active = static_cast<int>(i) + 1 == kept.view.active_run;
     runs[i].cache->request({*index, direction, playback.is_playing, is_active && shows_camera});

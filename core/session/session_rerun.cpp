@@ -190,7 +190,13 @@ Result<void> Session::Implementation::perform(const actions::Rerun& action) {
                           });
                         })});
   list_what_is_written();  // so that the next start knows of it, whatever happens
+  const ViewState seen = kept.view;
   open_run(path->string());
+  if (seen.active_run != 0) {  // what is seen stays until there is something else to see
+    kept.view.active_run = seen.active_run;
+    kept.view.selected_particle = seen.selected_particle;
+    coming_run = path->string();
+  }
   // From here: the moment that is studied stays in sight. From the start: watch it go.
   followed_run = action.from == RerunFrom::kCursor ? std::string() : path->string();
   playback.is_playing = false;
@@ -198,35 +204,25 @@ Result<void> Session::Implementation::perform(const actions::Rerun& action) {
   return {};
 }
 
-Result<void> Session::Implementation::perform(const actions::CancelJob& action) {
-  const std::vector<JobStatus> all = jobs();
-  if (all.empty()) return fail(ErrorCode::kInvalidOptions, "no work is going on");
-  const int number = action.job.value_or(all.back().number);
-  const auto is_it = [number](const auto& work) { return work.number == number; };
-  if (const auto work = std::find_if(reruns.begin(), reruns.end(), is_it); work != reruns.end()) {
-    work->is_cancelled = true;
-    work->job.request_stop();
-    return {};
-  }
-  const auto small = std::find_if(small_works.begin(), small_works.end(), is_it);
-  if (small != small_works.end()) {
-    small->is_cancelled = true;
-    small->job.request_stop();
-    return {};
-  }
-  const auto effect = std::find_if(effect_works.begin(), effect_works.end(), is_it);
-  if (effect != effect_works.end()) {
-    if (!effect->is_cancelled) cancelled_effects.push_back(number);
-    effect->is_cancelled = true;
-    effect->activity = "stopping";
-    return {};
-  }
-  const auto reading = std::find_if(works.begin(), works.end(), is_it);
-  if (reading == works.end() || !reading->reading) {
-    return fail(ErrorCode::kInvalidOptions, "there is no work {}", number);
-  }
-  take_run_out(kept.view, runs[static_cast<std::size_t>(reading - works.begin())].path.string());
-  return {};
+void Session::Implementation::show_coming_run() {
+  const auto found = std::find_if(runs.begin(), runs.end(),
+                                  [this](const OpenRun& run) { return run.path == coming_run; });
+  // Its first step is decoded before it is shown, so that nothing flickers.
+  const bool has_something = found != runs.end() && found->document &&
+                             !found->document->steps.empty() && found->cache &&
+                             found->cache->is_cursor_ready();
+  if (!has_something) return;
+  const std::string path = std::exchange(coming_run, {});
+  amend([&path](KeptState& state) {
+    const auto run = std::find_if(state.view.runs.begin(), state.view.runs.end(),
+                                  [&path](const RunLook& look) { return look.path == path; });
+    if (run == state.view.runs.end()) return;
+    run->is_shown = true;
+    state.view.active_run = static_cast<int>(run - state.view.runs.begin()) + 1;
+    state.view.selected_particle.reset();
+  });
+  reconcile();
+  request_steps();
 }
 
 void Session::Implementation::poll_reruns() {
@@ -245,7 +241,6 @@ void Session::Implementation::end_rerun(RerunWork& work) {
   const auto found = std::find_if(runs.begin(), runs.end(),
                                   [&](const OpenRun& run) { return run.path == work.run; });
   if (found != runs.end()) {
-    found->is_live = false;
     works[static_cast<std::size_t>(found - runs.begin())].is_last_reading_due = true;
   }
   const Result<RerunOutcome>& outcome = *std::as_const(work.job).outcome();

@@ -14,6 +14,7 @@ namespace {
 constexpr double kSightNorthRad = std::numbers::pi / 2.0;
 constexpr double kLeastFitM = 20.0;
 constexpr double kRoomAround = 1.16;
+constexpr double kInside = 0.94;  // of the free part: what lies at its very edge is not seen well
 
 std::vector<Eigen::Vector2d> corners_of_map(const OverheadMap& map) {
   const Eigen::Vector2d corner = map.top_left_in_enu_m;
@@ -49,9 +50,14 @@ struct FreeView {
   }
 };
 
-/// Centre and width such that all points are seen in the free part of a view, with its up as it is.
-void fit_points(MapLook& look, const std::vector<Eigen::Vector2d>& points, const MapRoom& room) {
-  const FreeView view(look, room);
+/// The ground that points lie on, as a view has it.
+struct Footprint {
+  Eigen::Vector2d middle_in_enu_m;
+  double width_m = 0.0;  ///< Of a view whose free part they just fill.
+};
+Footprint footprint_of(const std::vector<Eigen::Vector2d>& points,
+                       const FreeView& view,
+                       const MapRoom& room) {
   const Eigen::Vector2d &up = view.up, &right = view.right;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Eigen::Vector2d least = Eigen::Vector2d::Constant(kInfinity), most = -least;
@@ -61,10 +67,61 @@ void fit_points(MapLook& look, const std::vector<Eigen::Vector2d>& points, const
     most = most.cwiseMax(in_view);
   }
   const Eigen::Vector2d middle = 0.5 * (least + most), size = most - least;
-  look.width_m = std::clamp(
-      kRoomAround * std::max(size.x() / view.width, size.y() * room.aspect / view.height),
-      kLeastFitM, double{kMostMapWidthM});
-  look.centre_in_enu_m = view.centre_for(middle.x() * right + middle.y() * up, look.width_m);
+  return {middle.x() * right + middle.y() * up,
+          std::max(size.x() / view.width, size.y() * room.aspect / view.height)};
+}
+
+/// Centre and width such that all points are seen in the free part of a view, with its up as it is.
+void fit_points(MapLook& look, const std::vector<Eigen::Vector2d>& points, const MapRoom& room) {
+  const FreeView view(look, room);
+  const Footprint place = footprint_of(points, view, room);
+  look.width_m = std::clamp(kRoomAround * place.width_m, kLeastFitM, double{kMostMapWidthM});
+  look.centre_in_enu_m = view.centre_for(place.middle_in_enu_m, look.width_m);
+}
+
+/// Whether all points are seen well in the free part of a view.
+bool shows_all(const MapLook& look,
+               const std::vector<Eigen::Vector2d>& points,
+               const FreeView& view,
+               const MapRoom& room) {
+  const Eigen::Vector2d middle = view.centre_for(look.centre_in_enu_m, -look.width_m);
+  return std::all_of(points.begin(), points.end(), [&](const Eigen::Vector2d& point) {
+    const Eigen::Vector2d away = point - middle;
+    return std::abs(away.dot(view.right)) <= 0.5 * kInside * view.width * look.width_m &&
+           std::abs(away.dot(view.up)) <= 0.5 * kInside * view.height * look.width_m / room.aspect;
+  });
+}
+
+/// Estimate and truth of a step, where they are known.
+std::vector<Eigen::Vector2d> poses_of_moment(const RunStep& step) {
+  std::vector<Eigen::Vector2d> points;
+  const Rigid2& mean = step.estimate.moments.mean;
+  if (is_finite(mean)) points.push_back(mean.translation_m());
+  if (step.truth_in_enu) points.push_back(step.truth_in_enu->translation_m());
+  return points;
+}
+
+/// Corners of the ground that the particles lie on: three standard deviations to each side, but nothing that is off the map.
+/// Told by what every step holds, so that it is known before particles are decoded. None are added where nobody knows.
+void add_corners_of_particles(const RunStep& step,
+                              const OverheadMap* map,
+                              std::vector<Eigen::Vector2d>& points) {
+  constexpr double kSigmas = 3.0;  // then hardly one is missing
+  const PoseMoments& moments = step.estimate.moments;
+  const Eigen::Vector2d spread =
+      kSigmas * moments.covariance.diagonal().head<2>().cwiseMax(0.0).cwiseSqrt();
+  if (!is_finite(moments.mean) || !spread.allFinite()) return;
+  const Eigen::Vector2d middle = moments.mean.translation_m();
+  Eigen::Vector2d least = middle - spread, most = middle + spread;
+  if (map != nullptr && map->contains(middle)) {
+    const Eigen::Vector2d& corner = map->top_left_in_enu_m;
+    least = least.cwiseMax(Eigen::Vector2d(corner.x(), corner.y() - map->height_m()));
+    most = most.cwiseMin(Eigen::Vector2d(corner.x() + map->width_m(), corner.y()));
+  }
+  points.push_back(least);
+  points.push_back(most);
+  points.emplace_back(least.x(), most.y());
+  points.emplace_back(most.x(), least.y());
 }
 
 /// Whether a map lies on another plane than the run's poses: then it is of another place.
@@ -110,6 +167,21 @@ MapLook Session::Implementation::resolved_look() const {
   return look;
 }
 
+std::optional<HeldView> Session::Implementation::hold_view_for(const std::string& run) {
+  if (kept.view.map.width_m > 0.0) return std::nullopt;
+  const MapLook seen = resolved_look();
+  const HeldView held{kept.view.map.centre_in_enu_m, seen.centre_in_enu_m, seen.width_m};
+  amend([&](KeptState& state) {
+    const std::vector<RunLook>& all = state.view.runs;
+    const bool is_of_it = std::any_of(all.begin(), all.end(),
+                                      [&run](const RunLook& look) { return look.path == run; });
+    if (!is_of_it || state.view.map.width_m > 0.0) return;
+    state.view.map.centre_in_enu_m = held.centre_in_enu_m;
+    state.view.map.width_m = held.width_m;
+  });
+  return held;
+}
+
 Result<void> Session::Implementation::perform(const actions::Fit& action) {
   MapLook look = resolved_look();
   if (action.to == FitTo::kMap && !(map && map->index)) {
@@ -141,34 +213,29 @@ void Session::Implementation::bring_moment_into_view() {
   const MapLook look = resolved_look();
   const RunDocument* const run = active_document();
   const auto index = run != nullptr ? run->index_at(playback.time_s) : std::nullopt;
-  const bool is_looked_at = kept.view.map.width_m > 0.0 && !look.is_following;
-  if (!index || !is_looked_at || (map && is_elsewhere(*map, *run))) return;
-  std::vector<Eigen::Vector2d> seen;
+  if (!index || (map && is_elsewhere(*map, *run))) return;
   const RunStep& step = run->steps[*index];
-  if (is_finite(step.estimate.moments.mean)) {
-    seen.push_back(step.estimate.moments.mean.translation_m());
-  }
-  if (step.truth_in_enu) seen.push_back(step.truth_in_enu->translation_m());
+  std::vector<Eigen::Vector2d> seen = poses_of_moment(step);
   if (seen.empty()) return;
-  constexpr double kInside = 0.94;  // of the free part: what lies at its very edge is not seen well
+  add_corners_of_particles(step, map && map->index ? &map->index->map() : nullptr, seen);
+  constexpr double kFarTooWide = 6.0, kRoomAroundMoment = 2.0;
   const FreeView view(look, map_room);
-  const auto is_in_view = [&](const Eigen::Vector2d& place, const Eigen::Vector2d& centre) {
-    const Eigen::Vector2d away = place - view.centre_for(centre, -look.width_m);
-    return std::abs(away.dot(view.right)) <= 0.5 * kInside * view.width * look.width_m &&
-           std::abs(away.dot(view.up)) <=
-               0.5 * kInside * view.height * look.width_m / map_room.aspect;
-  };
-  const auto shows_all = [&](const Eigen::Vector2d& centre) {
-    return std::all_of(seen.begin(), seen.end(),
-                       [&](const Eigen::Vector2d& place) { return is_in_view(place, centre); });
-  };
-  if (shows_all(look.centre_in_enu_m)) return;
-  // Both where they fit, else the estimate.
-  Eigen::Vector2d centre = view.centre_for(0.5 * (seen.front() + seen.back()), look.width_m);
-  if (!shows_all(centre)) centre = view.centre_for(seen.front(), look.width_m);
-  amend([&, before = kept.view.map.centre_in_enu_m](KeptState& state) {
-    MapLook& map_look = state.view.map;
-    if (map_look.centre_in_enu_m == before) map_look.centre_in_enu_m = centre;
+  const Footprint place = footprint_of(seen, view, map_room);
+  const double nearest_m =
+      std::clamp(kRoomAround * place.width_m, kLeastFitM, double{kMostMapWidthM});
+  const bool is_tiny = look.width_m > kFarTooWide * nearest_m;
+  // Of a map that follows, the estimate is in the middle, and its scale was chosen for what is around it.
+  const bool has_no_room = !look.is_following && place.width_m > kInside * look.width_m;
+  const double width_m = has_no_room ? nearest_m
+                         : is_tiny   ? kRoomAroundMoment * nearest_m
+                                     : look.width_m;
+  const bool is_wide_enough = width_m == look.width_m;
+  if (is_wide_enough && (look.is_following || shows_all(look, seen, view, map_room))) return;
+  amend([&, before = kept.view.map](KeptState& state) {
+    MapLook& now = state.view.map;
+    if (now.centre_in_enu_m != before.centre_in_enu_m || now.width_m != before.width_m) return;
+    now.centre_in_enu_m = view.centre_for(place.middle_in_enu_m, width_m);
+    now.width_m = width_m;
   });
 }
 

@@ -40,16 +40,24 @@ struct FileState {
 };
 [[nodiscard]] FileState file_state(const std::filesystem::path& path);
 
+/// A map that showed all of what was open, and stayed as it was when a run began.
+struct HeldView {
+  Eigen::Vector2d centre_before_in_enu_m, centre_in_enu_m;
+  double width_m = 0.0;
+};
+
 /// What belongs to an open run beside OpenRun.
 struct RunWork {
   int number = 0;  ///< As a job.
   ReadingJob<ReadRun> reading;
-  std::string flight_path, map_path;  ///< Empty: not known yet, or not there.
-  double since_reading_s = 1e9;       ///< Of a run that grows.
-  bool is_last_reading_due = false;   ///< It has ended and may have grown since it was read.
-  FileState file;                     ///< When its last reading began.
-  double since_look_s = 0.0;          ///< Since the file was compared with that.
-  bool is_opened_again = false;       ///< So file, flight and map are to be looked at anew.
+  std::string flight_path, map_path;       ///< Empty: not known yet, or not there.
+  double since_reading_s = 1e9;            ///< Of a run that grows.
+  bool is_last_reading_due = false;        ///< It has ended and may have grown since it was read.
+  bool is_last_reading = false;            ///< The one that goes on is that.
+  FileState file;                          ///< When its last reading began.
+  double since_look_s = 0.0;               ///< Since the file was compared with that.
+  bool is_opened_again = false;            ///< So file, flight and map are to be looked at anew.
+  std::optional<HeldView> held_view = {};  ///< Of one that was made here.
 };
 
 /// The run whose file names a map that is to be shown, as soon as that is known.
@@ -113,6 +121,15 @@ struct EffectWork {
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
   bool is_cancelled = false;
   bool opens_result = false;  ///< What was made is opened.
+  std::vector<std::string> warnings =
+      {};  ///< To be told with what was made: "it does not show the error surface".
+};
+
+/// How it ended.
+struct EffectEnd {
+  std::string error;  ///< Empty: it is done.
+  std::string made;
+  std::vector<std::string> warnings;
 };
 
 }  // namespace nadir

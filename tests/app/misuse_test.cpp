@@ -64,14 +64,26 @@ TEST(Misuse, ByMissingArgumentsNamesThemAll) {
   expect_misused({"evaluate", "--json"}, "nadir evaluate", "RUN is missing");
 }
 
-TEST(Misuse, ByAMissingOrEmptyValueSaysWhatTheFlagTakes) {
+TEST(Misuse, ByAMissingValueSaysWhatTheFlagTakes) {
   expect_misused({"localise", "f", "--map"}, "nadir localise",
                  "--map: its value is missing (--map MAP)");
   expect_misused({"localise", "f", "--prior", "--map", "town"}, "nadir localise",
                  "--prior: its value is missing (--prior E,N,YAW)");
-  expect_misused({"localise", "f", "--map", ""}, "nadir localise", "--map: its value is empty");
-  expect_misused({"localise", "f", "--map="}, "nadir localise", "--map: its value is empty");
-  expect_misused({"localise", "", "--map", "town"}, "nadir localise", "FLIGHT: is empty");
+}
+
+// Whatever is wrong with a value, the status is the same.
+TEST(WrongValue, ThatIsEmptyFailsAsAnyOther) {
+  expect_failed({"localise", "f", "--map", ""}, "nadir localise", "--map: its value is empty");
+  expect_failed({"localise", "f", "--map="}, "nadir localise", "--map: its value is empty");
+  expect_failed({"localise", "", "--map", "town"}, "nadir localise", "FLIGHT: is empty");
+  expect_failed({"localise", "f", "--map", "m", "--frames", ""}, "nadir localise",
+                "--frames: its value is empty");
+  expect_failed({"gui", "--size", ""}, "nadir gui", "--size: its value is empty");
+  expect_failed({"gui", "--size", "big"}, "nadir gui",
+                "--size: 'big' is neither WIDTH nor WIDTHxHEIGHT in pixels");
+  // The first fault is told, with its own status.
+  expect_misused({"localise", "f", "--mapp", ""}, "nadir localise",
+                 "--mapp: no such flag (did you mean --map?)");
 }
 
 TEST(Misuse, ByTooManyWordsNamesTheFirst) {

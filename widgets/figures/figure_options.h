@@ -75,7 +75,7 @@ void visit_fields(Options& options, Visitor&& visit) {
   visit(options.up,
         Field{"up", "",
               "What is up on the map in figure 'moment': north, the estimate's heading, "
-              "or a compass course in degrees"});
+              "or a compass course in degrees, which goes round: 361 is 1, -90 is 270"});
   visit(options.run_colour,
         Field{"run-colour", "",
               "Which of the colours of runs the run has on the map in figure 'moment', where "

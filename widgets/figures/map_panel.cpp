@@ -6,6 +6,7 @@
 
 #include "core/map/overhead_map_file.h"
 #include "widgets/figures/page_layout.h"
+#include "widgets/views/map_colours.h"
 
 namespace nadir {
 namespace {
@@ -194,7 +195,8 @@ PathLook odometry_look(const Theme& theme) {
 }
 
 PathLook estimate_look(const Theme& theme, std::size_t run) {
-  return {run_colour_on_imagery(theme, run), 1.7, is_run_dashed(run), theme.casing_on_imagery, 0.5};
+  const Rgba colour = run_colour_on_imagery(theme, run);
+  return {colour, 1.7, is_run_dashed(run), casing_over_imagery(theme, colour), 0.5};
 }
 
 }  // namespace nadir

@@ -125,7 +125,9 @@ class MomentFigure : public TimedFigure {
       const Layer layer = entry.name == "truth"      ? Layer::kTruth
                           : entry.name == "estimate" ? Layer::kEstimate
                                                      : Layer::kOdometry;
-      entry.colour = map_->line_look(layer, theme).colour;
+      const PathLook look = map_->line_look(layer, theme);
+      entry.colour = look.colour;
+      entry.casing = look.casing;
     }
     const auto has_ellipses = [](const PoseMode& mode) {
       return mode.moments.covariance.topLeftCorner<2, 2>().allFinite();
@@ -134,7 +136,9 @@ class MomentFigure : public TimedFigure {
     if (options().layers.has(FigureLayer::kEllipses) &&
         std::any_of(modes.begin(), modes.end(), has_ellipses)) {
       entries.push_back(ellipse_legend("ellipses: 1, 2 and 3 sigma", 1, theme));
-      entries.back().colour = map_->line_look(Layer::kEllipses, theme).colour;
+      const PathLook look = map_->line_look(Layer::kEllipses, theme);
+      entries.back().colour = look.colour;
+      entries.back().casing = look.casing;
     }
     if (map_->shows_particles(step)) entries.push_back(particle_legend());
     entries.insert(entries.end(), classes_.begin(), classes_.end());

@@ -21,15 +21,19 @@ PathLook MomentMap::line_look(Layer layer, const Theme& theme) const {
   const LayerLook& chosen = look_.layer(layer);
   double opacity = chosen.opacity;
   std::optional<std::string> colour = chosen.colour;
+  const bool is_over_imagery = options_.stack.is_own() || is_ground_below_lines(look_);
   if (layer == Layer::kEllipses || layer == Layer::kModes) {  // as the estimate that they are of
     const LayerLook& estimate = look_.layer(Layer::kEstimate);
-    look.casing = faded(look.casing, estimate.opacity);
     if (!colour) {
       colour = estimate.colour;
       opacity *= estimate.opacity;
     }
   }
   if (colour) look.colour = colour_from_hex(*colour).value_or(look.colour);
+  if (is_over_imagery) look.casing = casing_over_imagery(theme, look.colour);
+  if (layer == Layer::kEllipses || layer == Layer::kModes) {
+    look.casing = faded(look.casing, look_.layer(Layer::kEstimate).opacity);
+  }
   look.colour = faded(look.colour, opacity);
   look.casing = faded(look.casing, chosen.opacity);
   return look;

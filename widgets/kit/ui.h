@@ -223,8 +223,11 @@ class Ui {
   Scope menu(const std::string& label);
   bool menu_item(const std::string& label, const MenuItem& item = {});
   void menu_line();
-  /// A menu that a click of the right button on the control drawn last opens (not at the end of a drag). Pushes `name` as scope.
+  /// A menu that a click of the right button on the control drawn last opens (not at the end of a drag), or Shift+F10 while that
+  /// has the keyboard. Pushes `name` as scope.
   Scope context_menu(const std::string& name);
+  /// The control drawn last opens it as well: another part of the same row. Call it before context_menu(), in the same scope.
+  void opens_context_menu(const std::string& name);
   /// A menu that a button opens. Pushes `name` as scope.
   Scope button_menu(const std::string& name, Icon icon, const Hint& hint);
   /// Above each other in the lower right corner of `inside`; the newest is the last. They stay until dismissed, and cover nothing of

@@ -65,8 +65,8 @@ struct TooltipWish {
   Hint hint;
   std::string because;             ///< Why the control is disabled.
   std::vector<std::string> lines;  ///< Of mouse_tooltip(), shown at once.
-  std::optional<ImVec2> place;     ///< None: beside the mouse.
-  bool is_above = false;           ///< Ends at the place.
+  std::optional<ImRect> beside;    ///< What it must not cover; none: it stands at the mouse.
+  bool is_by_mouse = false;  ///< Its left end is where the mouse is, else where `beside` begins.
 };
 
 struct UiContext::State {
@@ -170,6 +170,7 @@ struct Ui::Frame {
 
   bool is_in_menu_bar = false, has_bar_menu = false;
   int menu_depth = 0;
+  std::pair<ImGuiID, ImVec2> menu_by_key = {};  ///< Opened in this frame, and where; 0: none.
 
   Rect area;
   ImDrawList* area_list = nullptr;
@@ -232,6 +233,8 @@ struct Ui::Frame {
   void explain(const Hint& hint, bool was_cut = false);
   void wish_tooltip(const Control& control, const Hint& hint);
   void show_tooltip();
+  /// What stands right under a control and says what is wrong with it, drawn last: the control's tooltip keeps clear of it.
+  void keep_tooltip_clear_of(TextLook look);
 
   void write(const ImVec2& at, const std::string& line, ImFont* font, ImU32 colour) const;
   /// Vertically in the middle of the box; cut with "…" where it is wider. @returns whether all of it was drawn.

@@ -153,16 +153,25 @@ void Ui::menu_line() {
   ImGui::ItemSize({0.0F, 2.0F * frame.d(4) + 1.0F});
 }
 
+void Ui::opens_context_menu(const std::string& name) {
+  Frame& frame = *frame_;
+  if (frame.is_disabled()) return;
+  const ImGuiID popup = ImGui::GetCurrentWindow()->GetID(name.c_str());
+  const bool is_asked = frame.state.input.modifiers == Modifiers{.shift = true} &&
+                        ImGui::IsKeyPressed(static_cast<int>(Key::kF10), false);
+  const bool is_by_key = is_asked && frame.has_focus(frame.last_id);
+  if (!is_by_key && !(frame.is_last_hovered && frame.right_clicked())) return;
+  ImGui::OpenPopupEx(popup, ImGuiPopupFlags_None);
+  if (is_by_key) frame.menu_by_key = {popup, {frame.last_box.Min.x, frame.last_box.Max.y}};
+}
+
 Scope Ui::context_menu(const std::string& name) {
   Frame& frame = *frame_;
   const ImGuiID popup = ImGui::GetCurrentWindow()->GetID(name.c_str());
-  if (frame.is_last_hovered && !frame.is_disabled() && frame.right_clicked())
-    ImGui::OpenPopupEx(popup, ImGuiPopupFlags_None);
-  const bool is_wanted = frame.state.input.modifiers == Modifiers{.shift = true} &&
-                         ImGui::IsKeyPressed(static_cast<int>(Key::kF10), false);
-  if (is_wanted && frame.has_focus(frame.last_id)) {
-    ImGui::OpenPopupEx(popup, ImGuiPopupFlags_None);
-    ImGui::SetNextWindowPos({frame.last_box.Min.x, frame.last_box.Max.y});
+  opens_context_menu(name);
+  if (frame.menu_by_key.first == popup) {  // there is no mouse that it could open at
+    ImGui::SetNextWindowPos(frame.menu_by_key.second);
+    frame.menu_by_key = {};
   }
   return frame.open_popup(popup, name);
 }

@@ -118,6 +118,11 @@ std::optional<NoticeWish::Kind> Ui::Frame::draw_notice(Ui& ui,
   ImGui::PopTextWrapPos();
   const ImVec2 after(words_left - (notice.details.empty() ? 0.0F : d(12)),
                      std::max(ImGui::GetCursorScreenPos().y, top + d(28)));
+  if (notice.is_brief && !notice.action.empty()) {
+    ImGui::SetCursorScreenPos(
+        {words_left + text_size(notice.text, state.fonts->text).x + d(12), top});
+    if (ui.button(notice.action)) asked = NoticeWish::Kind::kAction;
+  }
   ImGui::SetCursorScreenPos(
       {ImGui::GetWindowPos().x + ImGui::GetWindowSize().x - d(8) - d(28), top});
   if (ui.icon_button("Dismiss", Icon::kClose, {"Dismiss", ""})) asked = NoticeWish::Kind::kDismiss;
@@ -135,7 +140,7 @@ std::optional<NoticeWish::Kind> Ui::Frame::draw_notice(Ui& ui,
     if (ui.button("Copy", ButtonLook::kQuiet, {"Copy the notice with its details", ""}))
       asked = NoticeWish::Kind::kCopy;
   }
-  if (!notice.action.empty()) {
+  if (!notice.action.empty() && !notice.is_brief) {
     if (!notice.details.empty()) ui.same_line();
     if (ui.button(notice.action)) asked = NoticeWish::Kind::kAction;
   }

@@ -79,8 +79,7 @@ Edit<double> Ui::Frame::type_number(const ImRect& box,
     edit.is_editing = true;
     const std::string complaint = number_complaint(draft(id)->text, options);
     frame(box, complaint.empty() ? state.look.accent : state.look.bad);
-    if (!complaint.empty())
-      tooltip = TooltipWish{label, {}, {}, {complaint}, ImVec2(box.Min.x, box.Max.y + d(4)), false};
+    if (!complaint.empty()) tooltip = TooltipWish{label, {}, {}, {complaint}, box, false};
     return edit;
   }
   const Draft& current = *draft(id);

@@ -215,6 +215,7 @@ struct Notice {
   std::string text;          ///< One sentence.
   std::string details = {};  ///< To copy, shown on demand.
   std::string action = {};   ///< Title of its one button; none where empty.
+  bool is_brief = false;     ///< The button stands beside the words, which are few.
 };
 struct NoticeWish {
   enum class Kind { kDismiss, kCopy, kAction };

@@ -35,9 +35,9 @@ bool Ui::progress(const std::string& name,
   }
   const std::string title = Frame::shown(name);
   frame.write_in(words_box, title, frame.state.fonts->text, frame.shade(colours.text));
-  words_box.Min.x =
-      std::min(words_box.Max.x - 1.0F,
-               words_box.Min.x + frame.text_size(title, frame.state.fonts->text).x + frame.d(8));
+  const float title_width =
+      title.empty() ? 0.0F : frame.text_size(title, frame.state.fonts->text).x + frame.d(8);
+  words_box.Min.x = std::min(words_box.Max.x - 1.0F, words_box.Min.x + title_width);
   if (!words.empty())
     frame.write_in(words_box, words, frame.state.fonts->text, frame.shade(colours.muted));
   const ImRect track({placed.box.Min.x, placed.box.Max.y - frame.d(8)},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <utility>
 
 #include "widgets/canvas/printable.h"
 #include "widgets/kit/ui_canvas.h"
@@ -9,6 +10,39 @@ namespace nadir::kit {
 namespace {
 
 constexpr double kTextHeight = 20.0;
+constexpr std::size_t kUnitCharacters = 4;
+
+/// Words in lines as wide as the room: Dear ImGui would part them after the points within numbers too, and units from theirs.
+std::string in_lines(const Ui::Frame& frame, const std::string& words, ImFont* font, float room) {
+  std::string text, line;
+  std::size_t at = 0;
+  while (at < words.size()) {
+    std::size_t end = std::min(words.find_first_of(" \n", at), words.size());
+    const bool is_number = end > at && words[end - 1] >= '0' && words[end - 1] <= '9';
+    if (is_number && end + 1 < words.size() && words[end] == ' ') {
+      const std::size_t unit_end = std::min(words.find_first_of(" \n", end + 1), words.size());
+      const bool is_digit = words[end + 1] >= '0' && words[end + 1] <= '9';
+      const bool is_unit = !is_digit && unit_end - end - 1 <= kUnitCharacters;
+      if (is_unit) end = unit_end;
+    }
+    const std::string word = words.substr(at, end - at);
+    std::string longer = line;
+    if (!line.empty()) longer += ' ';
+    longer += word;
+    if (!line.empty() && frame.text_size(longer, font).x > room) {
+      text += line + "\n";
+      line = word;
+    } else {
+      line = std::move(longer);
+    }
+    if (end < words.size() && words[end] == '\n') {
+      text += line + "\n";
+      line.clear();
+    }
+    at = end + 1;
+  }
+  return text + line;
+}
 
 }  // namespace
 
@@ -36,6 +70,7 @@ void Ui::text(const std::string& line, TextLook look) {
   frame.write_in({placed.box.Min, {placed.box.Max.x + 1.0F, placed.box.Max.y}}, line, font,
                  frame.shade(frame.colour(look)));
   frame.note(ControlKind::kText, line, placed.box).value = line;
+  frame.keep_tooltip_clear_of(look);
   frame.keep_line_text(placed, first_vertex);
 }
 
@@ -45,13 +80,14 @@ void Ui::wrapped(const std::string& words, TextLook look) {
   ImGui::PushFont(font);
   ImGui::PushStyleColor(ImGuiCol_Text, frame.shade(frame.colour(look)));
   ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(printable(words).c_str());
+  ImGui::TextUnformatted(in_lines(frame, printable(words), font, frame.room_width()).c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   ImGui::PopFont();
   frame.is_last_hovered = ImGui::IsItemHovered();
   frame.note(ControlKind::kText, words, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}).value =
       words;
+  frame.keep_tooltip_clear_of(look);
 }
 
 void Ui::cut_text(const std::string& line, TextLook look, double reserve) {

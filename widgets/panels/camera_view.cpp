@@ -27,8 +27,7 @@ std::vector<std::string> pixel_words(const CameraMoment& camera,
                                      const Raster<Rgba>& picture) {
   std::vector<std::string> words;
   const auto scaled_to = [&](int width, int height) {
-    return Eigen::Vector2i(pixel.x() * width / picture.width(),
-                           pixel.y() * height / picture.height());
+    return pixel_of_other_size(pixel, {picture.width(), picture.height()}, {width, height});
   };
   if (!camera.labels.empty()) {
     const auto at = scaled_to(camera.labels.width(), camera.labels.height());

@@ -21,6 +21,14 @@ EmptyState reading_state(const std::string& name) {
       kit::Icon::kClock, "Reading", fmt::format("{} is being read.", shortened(name, 60)), {}, {}};
 }
 
+EmptyState coming_state(const std::string& name) {
+  return {kit::Icon::kClock,
+          "Localising",
+          fmt::format("{} shows here with its first step.", shortened(name, 60)),
+          {},
+          {}};
+}
+
 EmptyState no_match_state(const std::string& typed) {
   return {kit::Icon::kSearch,
           "Nothing found",

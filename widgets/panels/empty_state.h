@@ -23,6 +23,8 @@ struct EmptyState {
 [[nodiscard]] EmptyState no_run_state(const std::string& what);
 /// A file is being read. @param name  Of the run or map.
 [[nodiscard]] EmptyState reading_state(const std::string& name);
+/// A run is being made and has no step yet. @param name  Of the run.
+[[nodiscard]] EmptyState coming_state(const std::string& name);
 /// Nothing fits a search. @param typed  What was looked for.
 [[nodiscard]] EmptyState no_match_state(const std::string& typed);
 

@@ -13,7 +13,7 @@
 namespace nadir {
 namespace {
 
-constexpr double kExportWidth = 1120.0, kExportHeight = 640.0, kExportFoot = 92.0,
+constexpr double kExportWidth = 1120.0, kExportHeight = 640.0, kExportFoot = 116.0,
                  kExportButton = 104.0;
 
 /// ".png" as "PNG".
@@ -141,14 +141,14 @@ void draw_format(kit::Ui& ui,
     ui.cut_text(model.sentence);
   }
   ui.space(ui.px(4.0));
+  ui.cut_text(model.left_out, kit::TextLook::kWarning);
+  ui.space(ui.px(4.0));
   if (model.replaces) {
     ui.cut_text(is_again ? "Enter once more replaces what is there"
                 : kind.form == ExportKind::Form::kReport
                     ? "There is such a folder; only a report that Nadir wrote is replaced"
                     : "There is such a file already; it would be replaced",
                 kit::TextLook::kWarning, ui.px(2.0 * kExportButton + 24.0));
-  } else if (!model.left_out.empty()) {
-    ui.cut_text(model.left_out, kit::TextLook::kWarning, ui.px(2.0 * kExportButton + 24.0));
   } else {
     ui.text("It is made in the background; the status line shows how far it is.",
             kit::TextLook::kMuted);

@@ -52,7 +52,7 @@ ExportModel export_model(const Session& session, const ExportState& state, Folde
     model.rows.push_back({&kind, why_no_export(kind, session)});
   }
   model.files = file_browser_model(session.recents(), state.files, reader);
-  model.first_folder = first_folder(session.recents(), model.files.home);
+  model.first_folder = first_folder(session.recents(), model.files.home, working_folder());
   if (const OpenRun* const run = session.active_run()) {
     model.first_folder = run->path.parent_path().string();
   }

@@ -149,7 +149,9 @@ void begin_box(const FileBoxModel& model, FileBoxState& box) {
   box.use = model.use;
   box.asked_about.clear();
   FileBrowserState& state = box.files;
-  if (state.folder.empty()) state.folder = model.first_folder;
+  // Where something was opened since, also by other ways, the next thing is looked for there; else where it was left.
+  if (state.folder.empty() || box.begun_in != model.first_folder) state.folder = model.first_folder;
+  box.begun_in = model.first_folder;
   state.typed = model.use == Use::kSaveRecipe ? model.proposed_name : std::string();
   state.chosen.clear();
   state.goes_on_typing = false;
@@ -189,7 +191,7 @@ FileBoxModel file_box_model(const Session& session,
     return model;
   }
   model.files = file_browser_model(session.recents(), state.files, reader);
-  model.first_folder = first_folder(session.recents(), model.files.home);
+  model.first_folder = first_folder(session.recents(), model.files.home, working_folder());
   const std::string preset = as_file_name(name_of(session.view().draft.preset));
   model.proposed_name = preset == "run" || preset.empty() ? "recipe" : preset;
   const OpenRun* const run = session.active_run();

@@ -13,7 +13,7 @@ struct FileBoxModel {
   enum class Use { kClosed, kOpen, kSaveRecipe };
   Use use = Use::kClosed;
   FileBrowserModel files;
-  std::string first_folder;   ///< Where it begins when it is opened for the first time.
+  std::string first_folder;   ///< Where it begins unless it was left elsewhere since.
   std::string proposed_name;  ///< For saving.
 };
 
@@ -21,6 +21,7 @@ struct FileBoxState {
   FileBrowserState files = {};
   FileBoxModel::Use use = FileBoxModel::Use::kClosed;  ///< As in the last frame.
   std::string asked_about = {};  ///< A file that is there already: Enter once more replaces it.
+  std::string begun_in = {};     ///< The model's first folder when it was opened last.
 };
 
 /// Call in every frame. @param reader  Only of this box.

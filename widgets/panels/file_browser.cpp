@@ -7,6 +7,7 @@
 #include <array>
 #include <ctime>
 #include <filesystem>
+#include <system_error>
 
 #include "core/session/typed_path.h"
 #include "widgets/panels/panel_text.h"
@@ -41,8 +42,17 @@ constexpr std::size_t kMostFolders = 8, kMostRecentFiles = 12;
 
 }  // namespace
 
-std::string first_folder(std::span<const std::string> recents, const std::string& home) {
+std::string working_folder() {
+  std::error_code error;
+  const fs::path folder = fs::current_path(error);
+  return error || folder == folder.root_path() ? std::string() : folder.string();
+}
+
+std::string first_folder(std::span<const std::string> recents,
+                         const std::string& home,
+                         const std::string& working) {
   if (!recents.empty()) return parent_of(recents.front());
+  if (!working.empty()) return working;
   return home.empty() ? "/" : home;
 }
 
@@ -52,6 +62,9 @@ FileBrowserModel file_browser_model(std::span<const std::string> recents,
   FileBrowserModel model;
   model.home = home_folder();
   if (!model.home.empty()) model.places.push_back({"Home", model.home});
+  if (const std::string folder = working_folder(); !folder.empty() && folder != model.home) {
+    model.places.push_back({"Working folder", folder});
+  }
   model.places.push_back({"All of the disk", "/"});
   for (const std::string& path : recents) {
     const std::string folder = parent_of(path);

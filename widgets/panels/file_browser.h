@@ -21,9 +21,10 @@ struct FilePlace {
 
 /// The folder that boxes of files show. What takes a disk has been done by a FolderReader.
 struct FileBrowserModel {
-  std::vector<FilePlace> places;   ///< Home, the whole disk, folders of what was open.
-  std::vector<FilePlace> recents;  ///< What was open, newest first.
-  std::string home;                ///< May be empty.
+  std::vector<FilePlace>
+      places;  ///< Home, the working folder, the whole disk, folders of what was open.
+  std::vector<FilePlace> recents;                ///< What was open, newest first.
+  std::string home;                              ///< May be empty.
   std::shared_ptr<const FolderListing> listing;  ///< Null: not read yet, or fault.
   std::string fault;                             ///< Why the folder cannot be shown.
 };
@@ -52,9 +53,13 @@ struct FileBrowserState {
                                                   const FileBrowserState& state,
                                                   FolderReader& reader);
 
-/// Where to begin: the folder of what was opened last, else the home, else '/'.
+/// Where the program was started by a shell; empty where that is nowhere in particular, as when a desktop has started it in '/'.
+[[nodiscard]] std::string working_folder();
+
+/// Where to begin: the folder of what was opened last, else the working folder, else the home, else '/'.
 [[nodiscard]] std::string first_folder(std::span<const std::string> recents,
-                                       const std::string& home);
+                                       const std::string& home,
+                                       const std::string& working = {});
 
 /// The entries that show, in their order.
 [[nodiscard]] std::vector<const FolderEntry*> shown_entries(const FileBrowserModel& model,

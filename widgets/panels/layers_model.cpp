@@ -24,7 +24,7 @@ std::string why_no_map(const Scene& scene) {
 
 std::string why_no_step(const Scene& scene) {
   if (scene.run == nullptr) return "no run";
-  if (scene.run->document == nullptr) return "being read";
+  if (scene.run->document == nullptr) return scene.run->is_live ? "no steps yet" : "being read";
   return scene.summary == nullptr ? "no steps yet" : "";
 }
 

@@ -17,6 +17,7 @@ constexpr double kSliderWidth = 64.0, kLeastSlider = 32.0, kSwatchWidth = 22.0,
                  kBetweenControls = 8.0;
 constexpr double kGripWidth = 16.0, kEyeWidth = 28.0, kBeforeEye = 2.0, kBeforeName = 4.0;
 constexpr double kPercentOfLayer = 100.0;
+constexpr const char* kOrderMenu = "order";  // of grip, eye and title
 
 constexpr std::array<std::string_view, kLayerCount> kTitles = {
     "Picture",  "Labels", "Reconstruction", "Error surface", "Topview", "Disagreement", "Particles",
@@ -105,7 +106,7 @@ LayerColumns columns_for(const kit::Ui& ui, const LayersModel& model) {
 
 /// Up and down the list, for those who do not drag. The legend, which is the first row, stays there.
 void draw_order_menu(kit::Ui& ui, const LayersModel& model, std::size_t place, Actions& asked) {
-  const auto menu = ui.context_menu("order");
+  const auto menu = ui.context_menu(kOrderMenu);
   if (!menu) return;
   const Layer layer = model.rows[place].layer;
   const auto last = static_cast<int>(model.rows.size()) - 1;
@@ -139,6 +140,7 @@ void draw_layer_row(kit::Ui& ui,
       asked.emplace_back(
           actions::MoveLayer{row.layer, static_cast<int>(place) - static_cast<int>(grip.value)});
     }
+    ui.opens_context_menu(kOrderMenu);
   }
   ui.same_line(ui.px(kBeforeEye));
   const bool shows = row.look.is_visible;
@@ -146,6 +148,7 @@ void draw_layer_row(kit::Ui& ui,
   if (const auto on = ui.eye("visible", shows, {(shows ? "Hide " : "Show ") + title, ""})) {
     asked.emplace_back(actions::ShowLayer{row.layer, *on ? Switch::kOn : Switch::kOff});
   }
+  ui.opens_context_menu(kOrderMenu);
   ui.same_line(ui.px(kBeforeName));
   const bool is_empty = !row.why_empty.empty();
   ui.text(title, is_empty || !shows ? kit::TextLook::kMuted : kit::TextLook::kNormal);

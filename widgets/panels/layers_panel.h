@@ -47,7 +47,8 @@ struct LayersState {};
 
 /// Paths, for the layer `estimate`: "Layers/estimate/grip", "/visible", "/opacity" (not of the legend), and "/##colour" where it
 /// has lines; a click
-/// of the right button on its title opens "Layers/estimate/order/Raise", "/Lower", "/To the top", "/To the ground".
+/// of the right button on its title, or Shift+F10 on its grip or eye, opens "Layers/estimate/order/Raise", "/Lower", "/To the
+/// top", "/To the ground".
 /// "Layers/topview at/estimate"; "Layers/Classes/shares/road/share".
 [[nodiscard]] Actions draw_layers(kit::Ui& ui, const LayersModel& model, LayersState& state);
 

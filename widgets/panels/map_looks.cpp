@@ -35,7 +35,7 @@ PathLook run_path_look(const MapViewModel& model,
                        const Theme& theme) {
   const bool is_on_picture = has_ground_picture(model);
   PathLook look;
-  look.casing = is_on_picture ? theme.casing_on_imagery : with_opacity(theme.window, 0.8);
+  look.casing = with_opacity(theme.window, 0.8);
   look.casing_pt = 0.7;
   look.width_pt = 1.5;
   switch (source) {
@@ -57,6 +57,7 @@ PathLook run_path_look(const MapViewModel& model,
   const auto own = layer.colour ? colour_from_hex(*layer.colour) : std::nullopt;
   // A colour of the user's own is that of the active run: the others keep theirs, or nobody could tell them apart.
   if (own && (source != PoseSource::kEstimate || run.is_active)) look.colour = *own;
+  if (is_on_picture) look.casing = casing_over_imagery(theme, look.colour);
   look.colour = faded(look.colour, layer.opacity);
   look.casing = faded(look.casing, layer.opacity);
   return look;

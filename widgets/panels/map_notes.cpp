@@ -10,6 +10,7 @@
 #include "widgets/panels/map_lines.h"
 #include "widgets/panels/panel_text.h"
 #include "widgets/panels/picture_area.h"
+#include "widgets/panels/run_labels.h"
 
 namespace nadir {
 namespace {
@@ -31,6 +32,17 @@ std::string tool_words(const MapViewModel& model) {
 
 std::string quoted_name(const std::string& name) { return shortened(name, 28); }
 
+/// A run's name without what all runs of the map have in common.
+std::string name_among(const MapViewModel& model, const MapRun& run) {
+  std::vector<std::string> names;
+  std::size_t place = 0;
+  for (const MapRun& one : model.runs) {
+    if (one.number == run.number) place = names.size();
+    names.push_back(one.name);
+  }
+  return names.empty() ? run.name : told_apart(names).at(place);
+}
+
 const ApartRun* active_apart(const MapViewModel& model) {
   // The last one of the model is the active run, so of those that were taken out as well.
   return model.is_map_foreign && !model.apart.empty() ? &model.apart.back() : nullptr;
@@ -51,6 +63,9 @@ MapNote map_note(const MapViewModel& model) {
   if (std::string words = tool_words(model); !words.empty()) return {std::move(words), {}, {}};
   if (!model.reading.empty()) {
     return {fmt::format("Reading {}…", quoted_name(model.reading)), {}, {}};
+  }
+  if (!model.coming.empty() && !model.work) {
+    return {fmt::format("{} shows here with its first step", quoted_name(model.coming)), {}, {}};
   }
   if (const ApartRun* const run = active_apart(model)) {
     return {fmt::format("{} was made on another map, {}", quoted_name(run->name),
@@ -137,8 +152,11 @@ void draw_pane_name(Canvas& canvas,
     return measure_text(words, style).width <= most;
   };
   std::string words = run.name;
-  for (std::size_t length = 40; !fits(words) && length > 4; length -= 4) {
-    words = shortened(run.name, length);
+  if (!fits(words)) {
+    // What tells it from the others is said as long as there is room for anything.
+    words = fitted_name(name_among(model, run), most, [&style](const std::string& line) {
+      return measure_text(line, style).width;
+    });
   }
   if (!fits(words)) return;
   std::string separator = ": ";

@@ -129,6 +129,9 @@ void MapPaneView::draw_furniture(const MapFrame& frame) {
     legend = draw_map_legend(canvas, frame, entries, theme,
                              pane_.is_main ? state_.legend : state_.second_legend);
   }
+  if (legend.width > 0.0) {
+    state_.legend_height_px = std::max(state_.legend_height_px, legend.top());
+  }
   const double tools = pane_.is_main ? map_tools_width(ui_) : 0.0;
   for (const MapRun& run : model_.runs) {
     const bool is_named = pane_.is_half && run.number == pane_.shown.front();

@@ -8,12 +8,14 @@
 #include "widgets/panels/map_cards.h"
 #include "widgets/panels/map_notes.h"
 #include "widgets/panels/map_pane.h"
+#include "widgets/panels/work_card.h"
 
 namespace nadir {
 
 Actions draw_map_view(kit::Ui& ui, const MapViewModel& model, MapViewState& state) {
   const auto scope = ui.scope("Map");
   state.readout.reset();
+  state.legend_height_px = 0.0;
   std::vector<std::shared_ptr<const RunDocument>> documents;
   for (const MapRun& run : model.runs) documents.push_back(run.document);
   state.paths.keep_only(documents);
@@ -21,6 +23,7 @@ Actions draw_map_view(kit::Ui& ui, const MapViewModel& model, MapViewState& stat
       model.map || !model.apart.empty() ||
       std::any_of(documents.begin(), documents.end(), [](const auto& d) { return d != nullptr; });
   if (!has_something) {
+    if (model.work) return draw_work_card(ui, *model.work, ui.room());
     if (!model.reading.empty()) return draw_empty_state(ui, reading_state(model.reading));
     return draw_empty_state(ui,
                             {kit::Icon::kMap,
@@ -50,6 +53,7 @@ Actions draw_map_view(kit::Ui& ui, const MapViewModel& model, MapViewState& stat
   join(draw_map_tools(ui, model, room));
   join(draw_map_cards(ui, model, room));
   join(draw_map_note(ui, map_note(model), room));
+  if (model.work) join(draw_work_card(ui, *model.work, room));
   if (model.takes_keys && ui.is_pressed("Escape")) {
     if (auto wish = escape_wish(model)) asked.push_back(std::move(*wish));
   }

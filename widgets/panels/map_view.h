@@ -44,6 +44,9 @@ struct MapViewModel {
   bool has_picture = true;              ///< False: the map is labels only.
   std::optional<ProjectPlane> plane;    ///< Of the map, else of the active run.
   std::string reading;                  ///< Name of what is being read; empty: nothing is.
+  std::string
+      coming;  ///< Name of a run whose first step is waited for, beside what is seen; empty: none.
+  std::optional<JobStatus> work;  ///< That is waited for, with nothing else to see.
   /// Runs that are not drawn, for the map that is open is not theirs, or not that of the active run.
   std::vector<ApartRun> apart;
   bool is_map_foreign = false;             ///< The map that is open is not that of the active run.
@@ -85,6 +88,7 @@ struct MapViewState {
   MapCamera camera;  ///< That the view (of the active run) was drawn with; for exports.
   PageRect where;    ///< Of its page.
   MapRoom room;      ///< What controls leave of it.
+  double legend_height_px = 0.0;  ///< Of the map's lower end, as much as legends cover.
 
   RunPathsCache paths;
   LegendFit legend, second_legend;  ///< Of the only or first map, and of the second.

@@ -73,9 +73,14 @@ MapViewModel map_view_model(const Session& session) {
     model.map = map->index;
     if (!map->index) model.reading = map->path.filename().string();
   }
-  const auto unread = std::find_if(model.runs.begin(), model.runs.end(),
-                                   [](const MapRun& run) { return !run.document; });
-  if (unread != model.runs.end()) model.reading = unread->name;
+  for (const MapRun& run : model.runs) {
+    if (run.document) continue;
+    const bool is_made = session.runs()[static_cast<std::size_t>(run.number) - 1].is_live;
+    (is_made ? model.coming : model.reading) = run.name;
+  }
+  for (const JobStatus& job : session.jobs()) {
+    if (job.will_be_shown) model.work = job;
+  }
   model.selected_particle = session.view().selected_particle;
   model.takes_keys = session.overlay() == Overlay::kNone;
   const OpenRun* const active = session.active_run();

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "widgets/panels/panel_text.h"
+#include "widgets/panels/settings_panel.h"
 #include "widgets/panels/shortcut_hint.h"
 
 namespace nadir {
@@ -197,10 +198,11 @@ MenuBarModel menu_bar_model(const Session& session) {
     model.open_names.push_back(name_of(view.flight_path));
   }
   if (model.open_names.size() == 2) {
-    const std::string of_run = view.runs.empty() ? "default" : "own options";
+    const std::string of_run = view.runs.empty() ? "default" : "as the active run";
+    const std::size_t changed = changed_options(session);
     model.open_names.push_back(
         (view.draft.preset == kOptionsOfRun ? of_run : name_of(view.draft.preset)) +
-        (view.draft.changed.empty() ? "" : " (changed)"));
+        (changed == 0 ? std::string() : fmt::format(", {} changed", changed)));
   }
   return model;
 }

@@ -7,6 +7,8 @@
 #include <stop_token>
 #include <thread>
 
+#include "core/session/place_hold.h"
+
 namespace nadir {
 namespace {
 
@@ -33,11 +35,14 @@ MomentAnswer answer_moment(const MomentQuestion& question, const MapMatcher& mat
   auto explanation = explain_moment(*question.step, matcher);
   if (!explanation) return failed(question, explanation.error().message);
   answer.words = in_words(*explanation);
+  answer.surety = surety_in_words(*explanation);
   answer.explanation = std::move(*explanation);
   if (!question.with_surface) return answer;
   answer.has_tried_surface = true;
   auto surface = moment_surface(*question.step, matcher);
   if (surface) {
+    answer.hold_words = in_words(place_hold(*surface, answer.explanation->rules.alike_cost),
+                                 question.step->estimate.moments.mean.yaw_rad);
     answer.surface = std::move(*surface);
   } else {
     answer.error = surface.error().message;

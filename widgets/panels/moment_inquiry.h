@@ -27,8 +27,10 @@ struct MomentAnswer {
   std::shared_ptr<const MapIndex> map;
   bool has_tried_surface = false;
   std::optional<MomentExplanation> explanation;
-  std::string words;  ///< in_words() of it.
+  std::string words;   ///< in_words() of it.
+  std::string surety;  ///< surety_in_words() of it.
   std::optional<MomentSurface> surface;
+  std::string hold_words;  ///< in_words() of the surface's place_hold(); empty without a surface.
   std::string error;  ///< Why there is no explanation, or else no surface; empty: nothing failed.
 };
 

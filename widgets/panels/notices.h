@@ -11,14 +11,21 @@ namespace nadir {
 
 /// What a user should know, in the lower right corner until it is read.
 struct NoticesModel {
-  std::vector<Notice> shown;   ///< The newest, oldest first.
-  std::vector<int> not_shown;  ///< Numbers of those that there is no room for.
-  static constexpr std::size_t kMostShown = 4;
+  std::vector<Notice> all;                      ///< Oldest first.
+  static constexpr std::size_t kMostShown = 3;  ///< Unless all are asked for.
+};
+/// Kept by the caller.
+struct NoticesState {
+  bool shows_all = false;  ///< As many as there is room for.
 };
 
 [[nodiscard]] NoticesModel notices_model(const Session& session);
 
+/// The newest; those that there is no room for are counted in a line above them: "Notices/more", "Notices/more/Show all".
 /// @param inside  Part of the window in whose lower right corner they stand.
-[[nodiscard]] Actions draw_notices(kit::Ui& ui, const NoticesModel& model, const kit::Rect& inside);
+[[nodiscard]] Actions draw_notices(kit::Ui& ui,
+                                   const NoticesModel& model,
+                                   NoticesState& state,
+                                   const kit::Rect& inside);
 
 }  // namespace nadir

@@ -29,11 +29,12 @@ void apply_gestures(const kit::AreaInput& area, double width, double height, Pic
   const PageRect page = area.page();
   PageRect where = picture_place(width, height, page, zoom);
   if (area.is_hovered && area.wheel.y() != 0.0) {
-    const Eigen::Vector2d share = share_at(area.mouse, where);
+    const Eigen::Vector2d middle = middle_under_mouse(area);
+    const Eigen::Vector2d share = share_at(middle, where);
     zoom.factor =
         std::clamp(zoom.factor * std::pow(kZoomPerNotch, area.wheel.y()), 1.0, kMostPictureZoom);
     where = picture_place(width, height, page, zoom);
-    zoom.centre = centre_with(share, area.mouse, page, where);
+    zoom.centre = centre_with(share, middle, page, where);
   }
   if (area.drag && area.drag->button == kit::MouseButton::kLeft) {
     if (area.drag->was_started || !zoom.grabbed) zoom.grabbed = share_at(area.drag->start, where);
@@ -71,7 +72,7 @@ PictureInput show(kit::Ui& ui,
   }
   outline(canvas, made.where, ui.theme().line);
   if (picture && made.area.is_hovered) {
-    const Eigen::Vector2d share = share_at(made.area.mouse, made.where);
+    const Eigen::Vector2d share = share_at(middle_under_mouse(made.area), made.where);
     const Eigen::Vector2i pixel(static_cast<int>(std::floor(share.x() * width)),
                                 static_cast<int>(std::floor(share.y() * height)));
     if (picture.pixels->contains(pixel.x(), pixel.y())) made.pixel = pixel;
@@ -80,6 +81,20 @@ PictureInput show(kit::Ui& ui,
 }
 
 }  // namespace
+
+Eigen::Vector2d middle_under_mouse(const kit::AreaInput& area) {
+  return area.mouse + Eigen::Vector2d(0.5, -0.5);
+}
+
+Eigen::Vector2i pixel_of_other_size(const Eigen::Vector2i& pixel,
+                                    const Eigen::Vector2i& size,
+                                    const Eigen::Vector2i& other_size) {
+  // Its middle, (pixel + 1/2) / size of the way, in whole numbers.
+  const auto along = [&](int axis) {
+    return (2 * pixel[axis] + 1) * other_size[axis] / (2 * size[axis]);
+  };
+  return {along(0), along(1)};
+}
 
 PageRect picture_place(double width, double height, const PageRect& page, const PictureZoom& zoom) {
   const double scale = std::min(page.width / width, page.height / height) * zoom.factor;

@@ -27,10 +27,19 @@ struct PictureZoom {
                                      const PageRect& page,
                                      const PictureZoom& zoom);
 
+/// The middle of the pixel that the mouse is on, on the area's page. The mouse is told by the pixel's upper left corner, and what is
+/// drawn there is what lies at its middle.
+[[nodiscard]] Eigen::Vector2d middle_under_mouse(const kit::AreaInput& area);
+
+/// The pixel of a raster of another size that shows the middle of a pixel.
+[[nodiscard]] Eigen::Vector2i pixel_of_other_size(const Eigen::Vector2i& pixel,
+                                                  const Eigen::Vector2i& size,
+                                                  const Eigen::Vector2i& other_size);
+
 struct PictureInput {
   kit::AreaInput area;
   PageRect where;                        ///< Of the whole picture, on the area's page.
-  std::optional<Eigen::Vector2i> pixel;  ///< Column and row under the mouse.
+  std::optional<Eigen::Vector2i> pixel;  ///< Column and row that the mouse's pixel shows.
 };
 
 /// A picture in an area of the given size. @param size  Pixels; 0: what is left, or as high as the picture's shape wants.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "widgets/panels/panel_text.h"
 #include "widgets/panels/time_axis.h"
@@ -73,6 +74,41 @@ std::string incomplete_words(const RunDocument& run, double flight_end_s) {
   const std::string of = flight_end_s > run.duration_s() ? " of " + clock_text(flight_end_s) : "";
   return fmt::format("stopped at {}{}, after {} {}", clock_text(run.duration_s()), of,
                      run.steps.size(), run.steps.size() == 1 ? "step" : "steps");
+}
+
+std::string span_words(const RunComparison& comparison, std::span<const std::string> names) {
+  const ComparedSpan& span = comparison.span;
+  const std::string each = "each number is over all of its own run, and none is marked as the best";
+  if (!comparison.is_same_flight) return "Runs of different flights: " + each;
+  if (!span.is_shared) return "These runs share no time of the flight: " + each;
+  if (names.empty()) return {};
+  const std::string when = fmt::format("{} to {}", clock_text(span.from_s), clock_text(span.to_s));
+  if (names.size() == 1) return "Over the whole run, " + when;
+  if (!span.begins_last && !span.ends_first) return "Over all of these runs, " + when;
+  std::string why;
+  if (span.begins_last) why = names[*span.begins_last] + " begins there";
+  if (span.ends_first) {
+    why += (why.empty() ? "" : ", ") + names[*span.ends_first] + " ends there";
+  }
+  return fmt::format("Only over {}, which all of these runs cover: {}", when, why);
+}
+
+std::string copied_words(RunDocuments runs, std::span<const std::string> names) {
+  std::string words;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const RunHeader& header = runs[i]->header;
+    if (!header.started_at_s || header.parent_run.empty()) continue;
+    const auto parent = std::find_if(runs.begin(), runs.end(), [&](const auto& other) {
+      return other != runs[i] &&
+             other->path.filename() == std::filesystem::path(header.parent_run).filename();
+    });
+    const double until_s = *header.started_at_s - runs.front()->start_clock_s;
+    if (parent == runs.end() || !(until_s > 0.0)) continue;
+    words += fmt::format("{}p to {} {} has its steps from {}", words.empty() ? "U" : "; u",
+                         clock_text(until_s), names[i],
+                         names[static_cast<std::size_t>(parent - runs.begin())]);
+  }
+  return words;
 }
 
 }  // namespace nadir

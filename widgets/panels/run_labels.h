@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/session/run_document.h"
+#include "core/session/run_comparison.h"
 
 namespace nadir {
 
@@ -28,5 +28,15 @@ namespace nadir {
 /// "stopped at 00:43.0 of 01:40.0, after 430 steps".
 /// @param flight_end_s  Last frame of the flight after the run's first step; not above 0: not known.
 [[nodiscard]] std::string incomplete_words(const RunDocument& run, double flight_end_s = 0.0);
+
+/// Which part of the flight the numbers of a comparison are over: "Over 00:00.0 to 00:43.0, which all of these runs cover: loop-2
+/// ends there". Times are the first run's.
+/// @param names  Of the runs, in the order of the comparison.
+[[nodiscard]] std::string span_words(const RunComparison& comparison,
+                                     std::span<const std::string> names);
+
+/// Which of the runs are the same up to where one went on from the other: "Up to 01:20.0 loop-2 has its steps from loop". Empty: none.
+/// @param runs  As compared. @param names  Of them.
+[[nodiscard]] std::string copied_words(RunDocuments runs, std::span<const std::string> names);
 
 }  // namespace nadir

@@ -14,15 +14,15 @@ constexpr double kPercentOfSteps = 100.0;
 
 constexpr std::array<ShownMetric, 11> kShownMetrics = {{
     {"estimate_position_rmse_m", "position RMSE", "Position error [m]", "RMSE", "m",
-     "Root of the mean squared distance from estimate to truth, over all steps with truth"},
+     "Root of the mean squared distance from estimate to truth, over the steps with truth"},
     {"estimate_position_median_m", "position median", "Position error [m]", "median", "m",
      "Half of the steps with truth have a smaller position error"},
     {"estimate_position_p90_m", "position P90", "Position error [m]", "P90", "m",
      "90th percentile: nine in ten steps with truth have a smaller position error"},
     {"estimate_position_max_m", "position max", "Position error [m]", "max", "m",
-     "The largest position error of all steps"},
+     "The largest position error of a step"},
     {"estimate_orientation_rmse_rad", "heading RMSE", "Heading error [deg]", "RMSE", "deg",
-     "Root of the mean squared angle between estimated and true heading, over all steps with "
+     "Root of the mean squared angle between estimated and true heading, over the steps with "
      "truth"},
     {"estimate_orientation_median_rad", "heading median", "Heading error [deg]", "median", "deg",
      "Half of the steps with truth have a smaller heading error"},
@@ -57,8 +57,8 @@ std::string better_words(const ShownMetric& metric) {
 
 std::optional<std::size_t> best_run(const ShownMetric& metric,
                                     const MetricRow& row,
-                                    bool is_same_flight) {
-  if (metric.better != 0 || !is_same_flight) return row.best;
+                                    bool do_compete) {
+  if (metric.better != 0 || !do_compete) return row.best;
   std::optional<std::size_t> best;
   double least = 0.0;
   std::size_t known = 0;

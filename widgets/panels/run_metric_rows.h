@@ -30,9 +30,9 @@ struct ShownMetric {
 /// "lower is better", "nearer to 95 is better".
 [[nodiscard]] std::string better_words(const ShownMetric& metric);
 
-/// Which run is the best by a metric; nothing where several are, or fewer than two are known, or their flights differ.
+/// Which run is the best by a metric; nothing where several are, or fewer than two are known, or they do not compete.
 [[nodiscard]] std::optional<std::size_t> best_run(const ShownMetric& metric,
                                                   const MetricRow& row,
-                                                  bool is_same_flight);
+                                                  bool do_compete);
 
 }  // namespace nadir

@@ -13,16 +13,20 @@
 namespace nadir {
 namespace {
 
-constexpr int kMostDecimals = 2;
-constexpr double kBetweenColumns = 4.0, kMostTitle = 96.0, kSettingNames = 96.0;  // of the design
+constexpr double kBetweenColumns = 4.0, kMostTitle = 96.0, kSettingNames = 96.0,
+                 kWords = 72.0;  // of the design
 /// Before the best of a row, which is also green: not everybody sees that.
 constexpr const char* kBestMark = "•";
 
-/// Names of the compared runs, without what they have in common.
-std::vector<std::string> titles_of(const RunsModel& model, const RunsState& state) {
+std::vector<std::string> names_of(const RunsModel& model, const RunsState& state) {
   std::vector<std::string> names;
   for (const int number : state.numbers) names.push_back(name_of_run(model, number));
-  return told_apart(names);
+  return names;
+}
+
+/// Names of the compared runs, without what they have in common.
+std::vector<std::string> titles_of(const RunsModel& model, const RunsState& state) {
+  return told_apart(names_of(model, state));
 }
 
 /// Some of the runs, as many as have room beside each other, and how wide their columns are.
@@ -45,7 +49,7 @@ std::vector<RunColumns> parts_of(const kit::Ui& ui,
   };
   double wanted = widest;  // with its title, where that does not cost the place of another run
   for (const std::string& title : titles_of(model, state))
-    wanted = std::max(wanted, std::min(ui.text_width(title), ui.px(kMostTitle)));
+    wanted = std::max(wanted, std::min(std::ceil(ui.text_width(title)) + 1.0, ui.px(kMostTitle)));
   const double width = fitting(wanted) >= count ? wanted : widest;
   const std::size_t most = std::min(count, fitting(width));
   std::vector<RunColumns> parts;
@@ -54,12 +58,13 @@ std::vector<RunColumns> parts_of(const kit::Ui& ui,
   return parts;
 }
 
-/// Columns for a part of the runs, right of a first one.
+/// Columns for a part of the runs, right of a first one. @param decimals  Of its numbers, at most.
 std::vector<kit::Column> columns_of(const kit::Ui& ui,
                                     const RunsModel& model,
                                     const RunsState& state,
                                     const RunColumns& part,
-                                    kit::Align align) {
+                                    kit::Align align,
+                                    int decimals = 0) {
   std::vector<kit::Column> columns(1);
   const std::vector<std::string> titles = titles_of(model, state);
   for (std::size_t i = part.first; i < part.end; ++i) {
@@ -70,7 +75,7 @@ std::vector<kit::Column> columns_of(const kit::Ui& ui,
     column.title = fitted == name ? name : label_of(fitted, name);
     column.align = align;
     column.width = part.width;
-    column.decimals = kMostDecimals;
+    column.decimals = decimals;
     column.hint = {name, ""};
     columns.push_back(std::move(column));
   }
@@ -95,7 +100,7 @@ void draw_metric(kit::Ui& ui,
                  const RunColumns& part) {
   const MetricRow* const row = row_of_metric(state, metric);
   if (row == nullptr) return;
-  const auto best = best_run(metric, *row, state.comparison.is_same_flight);
+  const auto best = best_run(metric, *row, state.comparison.do_compete());
   ui.row(std::string(metric.name));
   ui.cell(std::string(metric.statistic), kit::TextLook::kMuted);
   const std::string help = fmt::format("{}; {}", metric.help, better_words(metric));
@@ -119,12 +124,14 @@ void draw_metrics_of(kit::Ui& ui,
                      const RunsModel& model,
                      const RunsState& state,
                      const RunColumns& part) {
-  const auto columns = columns_of(ui, model, state, part, kit::Align::kDecimal);
   const std::string name = part.first == 0 ? "metrics" : fmt::format("metrics from {}", part.first);
   const auto all = shown_metrics();
   for (std::size_t begin = 0; begin < all.size();) {
     std::size_t end = begin;
     while (end < all.size() && all[end].group == all[begin].group) ++end;
+    int decimals = 0;  // of this group, whose numbers end below the runs' names
+    for (std::size_t i = begin; i < end; ++i) decimals = std::max(decimals, all[i].decimals);
+    const auto columns = columns_of(ui, model, state, part, kit::Align::kDecimal, decimals);
     ui.text(std::string(all[begin].group), kit::TextLook::kNormal);
     const kit::TableOptions options{
         .has_header = begin == 0, .is_dense = true, .is_only_read = true};
@@ -132,6 +139,55 @@ void draw_metrics_of(kit::Ui& ui,
       for (; begin < end; ++begin) draw_metric(ui, all[begin], state, part);
     }
     begin = end;
+  }
+}
+
+/// What an option is for, and what keeps it from having any effect.
+void explain_setting(kit::Ui& ui, const SettingDifference& setting) {
+  std::string words = setting.help;
+  if (!setting.has_effect()) {
+    words +=
+        (words.empty() ? "" : "; ") + std::string("no effect while ") + setting.no_effect.front();
+  }
+  if (!words.empty()) ui.hint({words, ""});
+}
+
+void draw_setting(kit::Ui& ui, const SettingDifference& setting, const RunColumns& part) {
+  ui.row(setting.name);
+  ui.cell(setting.unit.empty() ? setting.name : fmt::format("{} [{}]", setting.name, setting.unit),
+          kit::TextLook::kMuted);
+  explain_setting(ui, setting);
+  for (std::size_t i = part.first; i < part.end; ++i) {
+    const bool is_idle = i < setting.no_effect.size() && !setting.no_effect[i].empty();
+    ui.number_cell(setting.values[i].value_or("–"),
+                   is_idle ? kit::TextLook::kMutedNumber : kit::TextLook::kNumber);
+    if (is_idle) ui.hint({"No effect in this run while " + setting.no_effect[i], ""});
+  }
+}
+
+void draw_setting_tables(kit::Ui& ui,
+                         const RunsModel& model,
+                         const RunsState& state,
+                         const std::vector<SettingDifference>& settings,
+                         const std::string& title) {
+  if (settings.empty()) return;
+  double widest = 0.0;
+  for (const SettingDifference& setting : settings) {
+    for (const auto& value : setting.values) {
+      const std::string text = value.value_or("–");
+      const double width = ui.text_width(text, kit::TextLook::kNumber);
+      // Words may be cut, and are whole in their tooltips: no run loses its place beside others to them.
+      const bool are_words = text.find(' ') != std::string::npos;
+      widest = std::max(widest, are_words ? std::min(width, ui.px(kWords)) : width);
+    }
+  }
+  const double names = ui.px(kSettingNames);  // they may be cut, and are whole in their tooltips
+  for (const RunColumns& part : parts_of(ui, model, state, std::ceil(widest) + 1.0, names)) {
+    const auto columns = columns_of(ui, model, state, part, kit::Align::kRight);
+    const std::string name = part.first == 0 ? title : fmt::format("{} from {}", title, part.first);
+    const auto table = ui.table(name, columns, {.is_dense = true, .is_only_read = true});
+    if (!table) return;
+    for (const SettingDifference& setting : settings) draw_setting(ui, setting, part);
   }
 }
 
@@ -147,60 +203,50 @@ std::string name_of_run(const RunsModel& model, int number) {
 void draw_metrics(kit::Ui& ui, const RunsModel& model, const RunsState& state) {
   const auto section = ui.section("Errors");
   if (!section) return;
-  const double digit = ui.text_width("0", kit::TextLook::kNumber);
+  ui.wrapped(span_words(state.comparison, names_of(model, state)), kit::TextLook::kMuted);
+  if (state.comparison.span.begins_last || state.comparison.span.ends_first) {
+    ui.hint(
+        {"Over different parts of a flight no numbers compare. Close the run that covers least to "
+         "compare the others over more",
+         ""});
+  }
+  if (const std::string copied = copied_words(state.compared, names_of(model, state));
+      !copied.empty()) {
+    ui.wrapped(copied, kit::TextLook::kMuted);
+  }
+  ui.space();
   double widest = 0.0, names = 0.0;
   for (const ShownMetric& metric : shown_metrics()) {
     names = std::max(names, ui.text_width(std::string(metric.statistic)));
     const MetricRow* const row = row_of_metric(state, metric);
     if (row == nullptr) continue;
-    const auto best = best_run(metric, *row, state.comparison.is_same_flight);
+    const auto best = best_run(metric, *row, state.comparison.do_compete());
     for (std::size_t i = 0; i < row->values.size(); ++i) {
       if (!row->values[i]) continue;
       const std::string digits = metric_digits(metric, *row->values[i], best == i);
-      // Below each other at their points, those with fewer digits end further left.
-      widest = std::max(widest, ui.text_width(digits, kit::TextLook::kNumber) +
-                                    digit * (kMostDecimals - metric.decimals));
+      widest = std::max(widest, ui.text_width(digits, kit::TextLook::kNumber));
     }
   }
   for (const RunColumns& part : parts_of(ui, model, state, std::ceil(widest) + 1.0, names))
     draw_metrics_of(ui, model, state, part);
-  if (state.numbers.size() < 2) return;
-  ui.wrapped(state.comparison.is_same_flight
-                 ? std::string(kBestMark) + " and green: the best run by this number"
-                 : std::string("Runs of different flights: none is marked as the best"),
+  if (state.numbers.size() < 2 || !state.comparison.do_compete()) return;
+  ui.wrapped(std::string(kBestMark) + " and green: the best run by this number",
              kit::TextLook::kMuted);
 }
 
 void draw_settings(kit::Ui& ui, const RunsModel& model, const RunsState& state) {
   const auto& settings = state.comparison.settings;
+  const auto& idle = state.comparison.idle_settings;
   const auto section = ui.section("Settings that differ", true, fmt::format("{}", settings.size()));
   if (!section) return;
   if (settings.empty()) {
-    ui.text("None: the runs were made alike", kit::TextLook::kMuted);
-    return;
+    ui.text(idle.empty() ? "None: the runs were made alike" : "None that has an effect",
+            kit::TextLook::kMuted);
   }
-  double widest = 0.0;
-  for (const SettingDifference& setting : settings) {
-    for (const auto& value : setting.values)
-      widest = std::max(widest, ui.text_width(value.value_or("–"), kit::TextLook::kNumber));
-  }
-  const double names = ui.px(kSettingNames);  // they may be cut, and are whole in their tooltips
-  for (const RunColumns& part : parts_of(ui, model, state, std::ceil(widest) + 1.0, names)) {
-    const auto columns = columns_of(ui, model, state, part, kit::Align::kRight);
-    const std::string name =
-        part.first == 0 ? "settings" : fmt::format("settings from {}", part.first);
-    const auto table = ui.table(name, columns, {.is_dense = true, .is_only_read = true});
-    if (!table) return;
-    for (const SettingDifference& setting : settings) {
-      ui.row(setting.name);
-      ui.cell(
-          setting.unit.empty() ? setting.name : fmt::format("{} [{}]", setting.name, setting.unit),
-          kit::TextLook::kMuted);
-      if (!setting.help.empty()) ui.hint({setting.help, ""});
-      for (std::size_t i = part.first; i < part.end; ++i)
-        ui.number_cell(setting.values[i].value_or("–"));
-    }
-  }
+  draw_setting_tables(ui, model, state, settings, "settings");
+  if (idle.empty()) return;
+  ui.wrapped("These differ too, but have no effect in any of these runs", kit::TextLook::kMuted);
+  draw_setting_tables(ui, model, state, idle, "without effect");
 }
 
 }  // namespace nadir

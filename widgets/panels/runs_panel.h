@@ -45,7 +45,8 @@ struct RunsState {
 };
 
 /// Paths, for the second run: "Runs/2/##activate", "Runs/2/shown", "Runs/2/Close", "Runs/2/localising/Cancel"; "Runs/Split view";
-/// "Runs/Errors/metrics/position RMSE/NAME"; "Runs/Settings that differ/settings/seed/NAME"; "Runs/Parting/2/##go".
+/// "Runs/Errors/metrics/position RMSE/NAME"; "Runs/Settings that differ/settings/seed/NAME" (options without effect
+/// ".../without effect/..."); "Runs/Parting/2/##go".
 [[nodiscard]] Actions draw_runs(kit::Ui& ui, const RunsModel& model, RunsState& state);
 
 }  // namespace nadir

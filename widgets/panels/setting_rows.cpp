@@ -7,7 +7,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 
+#include "core/mcl/option_effects.h"
 #include "widgets/panels/panel_text.h"
 
 namespace nadir {
@@ -69,8 +71,13 @@ void describe_value(SettingRow& row, const T& value, const Field& field) {
 
 }  // namespace
 
-std::vector<SettingRow> setting_rows(const RunOptions& draft, const RunOptions& preset) {
+std::vector<SettingRow> setting_rows(const RunOptions& draft,
+                                     const RunOptions& preset,
+                                     const std::string& prior) {
   const std::vector<OptionText> texts = option_texts(draft);
+  std::map<std::string, std::string> values;
+  for (const OptionText& text : texts) values[text.name] = text.value;
+  if (!prior.empty()) values["prior"] = prior;
   const std::vector<OptionText> preset_texts = option_texts(preset);
   std::vector<SettingRow> rows;
   rows.reserve(texts.size());
@@ -88,6 +95,7 @@ std::vector<SettingRow> setting_rows(const RunOptions& draft, const RunOptions& 
                      [&](const SettingGroup& one) { return one.first == text.name; });
     if (begins != kSettingGroups.end()) group = begins->title;
     row.group = group;
+    row.no_effect = why_no_effect(row.name, values);
     describe_value(row, value, field);
     rows.push_back(std::move(row));
   });

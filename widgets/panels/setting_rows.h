@@ -21,14 +21,16 @@ struct SettingRow {
       preset_value;  ///< Of the preset, or of the run whose options the draft's differ from.
   std::string base = "preset";  ///< Which of the two: "preset" or "run".
   std::string group;
+  std::string no_effect;  ///< What keeps it from having any: "motion = scaled"; empty: it has one.
   double least = 0.0, most = 0.0;    ///< Of numbers; infinite where open.
   std::vector<std::string> choices;  ///< Of kChoice.
   [[nodiscard]] bool differs() const { return value != preset_value; }
 };
 
-/// Every option, in the order of the list.
+/// Every option, in the order of the list. @param prior  How the run begins, as a run's header has it; empty: not known.
 [[nodiscard]] std::vector<SettingRow> setting_rows(const RunOptions& draft,
-                                                   const RunOptions& preset);
+                                                   const RunOptions& preset,
+                                                   const std::string& prior = {});
 
 /// Digits after the point that a control for a number shows: enough for its value and its preset's, and one to change.
 [[nodiscard]] int setting_decimals(const SettingRow& row);

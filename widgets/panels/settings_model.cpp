@@ -1,10 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "core/run/run_prior.h"
 #include "widgets/panels/settings_panel.h"
 #include "widgets/panels/shortcut_hint.h"
 
 namespace nadir {
+namespace {
+
+/// How a rerun of the active run from its start begins; empty where that run does not say it itself.
+std::string prior_of_rerun(const Session& session) {
+  const OpenRun* const run = session.active_run();
+  if (run == nullptr || !run->document) return {};
+  const RunHeader& header = run->document->header;
+  const auto prior = header.options.find(kPriorOption);
+  return prior == header.options.end() || !header.parent_run.empty() ? std::string()
+                                                                     : prior->second;
+}
+
+}  // namespace
+
+std::size_t changed_options(const Session& session) {
+  if (session.view().draft.changed.empty()) return 0;
+  const auto base = session.draft_base();
+  const auto draft = session.draft_options();
+  if (!base || !draft) return session.view().draft.changed.size();
+  const std::vector<OptionText> before = option_texts(*base), after = option_texts(*draft);
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < after.size(); ++i) changed += after[i].value != before[i].value;
+  return changed;
+}
+
 SettingsModel settings_model(const Session& session) {
   SettingsModel model;
   const RunDraft& wanted = session.view().draft;
@@ -12,7 +38,7 @@ SettingsModel settings_model(const Session& session) {
   const auto base = session.draft_base();
   const auto draft = session.draft_options();
   if (draft && base) {
-    model.rows = setting_rows(*draft, *base);
+    model.rows = setting_rows(*draft, *base, prior_of_rerun(session));
     if (is_of_run) {
       for (SettingRow& row : model.rows) row.base = "run";
     }
@@ -29,8 +55,7 @@ SettingsModel settings_model(const Session& session) {
   if (std::find(model.presets.begin(), model.presets.end(), model.preset) == model.presets.end()) {
     model.presets.push_back(model.preset);
   }
-  model.changed_count = static_cast<std::size_t>(std::count_if(
-      model.rows.begin(), model.rows.end(), [](const SettingRow& row) { return row.differs(); }));
+  model.changed_count = changed_options(session);
   model.why_not_from_start = why_not_now(actions::Rerun{RerunFrom::kStart}, session);
   model.why_not_from_cursor = why_not_now(actions::Rerun{RerunFrom::kCursor}, session);
   for (std::string* const why : {&model.why_not_from_start, &model.why_not_from_cursor}) {

@@ -14,7 +14,8 @@
 namespace nadir {
 namespace {
 
-constexpr double kLabelWidth = 152.0;  ///< The longest name of an option, nearly.
+constexpr double kGroupHeading = 52.0;  ///< Height of a group's, with half of what follows it.
+constexpr double kLabelWidth = 152.0;   ///< The longest name of an option, nearly.
 
 double value_in(const std::string& text) {
   double value = 0.0;
@@ -27,6 +28,10 @@ kit::Hint hint_of(const SettingRow& row) {
   if (!row.range.empty()) text += fmt::format("; {}", row.range);
   text += fmt::format("; {} {}", row.base, row.preset_value);
   return {text, "", row.unit};
+}
+
+std::string no_effect_words(const SettingRow& row) {
+  return row.no_effect.empty() ? std::string() : "no effect while " + row.no_effect;
 }
 
 /// The one thing that changing a control asks for; a value that is the preset's again is no change at all.
@@ -124,7 +129,10 @@ void draw_row(kit::Ui& ui, const SettingRow& row, SettingsState& state, Actions&
   ui.next_width(row.kind == SettingRow::Kind::kSwitch
                     ? 0.0
                     : std::max(ui.px(64.0), ui.room().width - button - ui.px(8.0)));
-  draw_control(ui, row, state, asked);
+  {
+    const auto pale = ui.disabled(!row.no_effect.empty(), no_effect_words(row));
+    draw_control(ui, row, state, asked);
+  }
   const std::string refused = refused_in(row, state);
   if (row.differs() || !refused.empty()) {
     ui.same_line();
@@ -136,6 +144,30 @@ void draw_row(kit::Ui& ui, const SettingRow& row, SettingsState& state, Actions&
     }
   }
   if (!refused.empty()) ui.wrapped(why_refused(row, refused), kit::TextLook::kBad);
+}
+
+/// Those of the rows that show, and under those without effect, once for all that follow each other, what keeps them from it.
+void draw_setting_rows(kit::Ui& ui,
+                       const std::vector<const SettingRow*>& rows,
+                       SettingsState& state,
+                       Actions& asked) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    draw_row(ui, *rows[i], state, asked);
+    const bool goes_on = i + 1 < rows.size() && rows[i + 1]->no_effect == rows[i]->no_effect;
+    if (rows[i]->no_effect.empty() || goes_on) continue;
+    ui.wrapped(no_effect_words(*rows[i]), kit::TextLook::kMuted);
+    ui.space(ui.px(4.0));
+  }
+}
+
+/// Of the list: it does not end within a heading, or right below one.
+double height_without_half_a_heading(const kit::Ui& ui, double height, const SettingsState& state) {
+  if (state.is_scrolled) return height;
+  for (const double heading : state.headings) {
+    if (heading > 0.0 && heading < height && heading + ui.px(kGroupHeading) > height)
+      return heading;
+  }
+  return height;
 }
 
 void draw_presets(kit::Ui& ui, const SettingsModel& model, Actions& asked) {
@@ -191,14 +223,14 @@ Actions draw_settings_panel(kit::Ui& ui, const SettingsModel& model, SettingsSta
   kit::TextOptions search;
   search.placeholder = "Find an option";
   state.search = ui.search_input("Search", state.search, search).value;
-  const auto differing = std::count_if(model.rows.begin(), model.rows.end(),
-                                       [](const SettingRow& row) { return row.differs(); });
   const std::string base = model.rows.empty() ? "preset" : model.rows.front().base;
   const auto only = ui.checkbox("only changed", state.shows_only_changed,
-                                {fmt::format("Options whose value is not the {}'s: {} of {}", base,
-                                             differing, model.rows.size()),
-                                 ""});
+                                {fmt::format("Options whose value is not the {}'s", base), ""});
   if (only) state.shows_only_changed = *only;
+  const std::string count = fmt::format("{} of {} changed", model.changed_count, model.rows.size());
+  ui.same_line();
+  ui.right_align(ui.text_width(count));
+  ui.text(count, kit::TextLook::kMuted);
   const auto is_shown = [&](const SettingRow& row) {
     return fits_search(row, state.search) && (!state.shows_only_changed || row.differs());
   };
@@ -212,19 +244,27 @@ Actions draw_settings_panel(kit::Ui& ui, const SettingsModel& model, SettingsSta
     }
     return asked;
   }
-  const auto area = ui.scroll_area("Options");
+  const kit::Rect room = ui.room();
+  const auto area =
+      ui.scroll_area("Options", height_without_half_a_heading(ui, room.height, state));
+  const double top = ui.room().top;
+  state.is_scrolled = top < room.top - 1.0;
+  state.headings.clear();
   const auto labels = ui.label_width(ui.px(kLabelWidth));
   for (auto row = model.rows.begin(); row != model.rows.end();) {
     const auto end = std::find_if(
         row, model.rows.end(), [&](const SettingRow& other) { return other.group != row->group; });
-    if (std::any_of(row, end, is_shown)) {
+    std::vector<const SettingRow*> shown;
+    for (auto one = row; one != end; ++one) {
+      if (is_shown(*one)) shown.push_back(&*one);
+    }
+    if (!shown.empty()) {
       const auto changed =
           std::count_if(row, end, [](const SettingRow& one) { return one.differs(); });
+      state.headings.push_back(ui.room().top - top);
       if (const auto group =
               ui.section(row->group, true, changed > 0 ? fmt::format("{} changed", changed) : "")) {
-        for (; row != end; ++row) {
-          if (is_shown(*row)) draw_row(ui, *row, state, asked);
-        }
+        draw_setting_rows(ui, shown, state, asked);
       }
     }
     row = end;

@@ -84,7 +84,9 @@ struct KeptWords {
 [[nodiscard]] KeptWords kept_words(const StatusBarModel& model) {
   if (!model.saving_fault.empty()) {
     return {"not saved: try again",
-            "What is open cannot be kept for the next start: " + model.saving_fault,
+            (model.keeps_session ? "What is open cannot be kept for the next start: "
+                                 : "Preferences cannot be kept: ") +
+                model.saving_fault,
             kit::TextLook::kWarning};
   }
   if (model.is_recording) {
@@ -92,6 +94,11 @@ struct KeptWords {
   }
   if (!model.incomplete.empty()) {
     return {"incomplete run", model.incomplete, kit::TextLook::kWarning};
+  }
+  if (!model.keeps_session) {
+    return {"not kept",
+            "What is open now is not kept: the next start shows what was open before this window. "
+            "Preferences, bookmarks and runs are written as you work"};
   }
   return {"saved", "Session and preferences are written as you work; there is nothing to save"};
 }
@@ -207,6 +214,7 @@ StatusBarModel status_bar_model(const Session& session,
   model.memory_used_bytes = session.memory_used_bytes();
   model.memory_megabytes = session.memory_budget_megabytes();
   model.saving_fault = session.saving_fault();
+  model.keeps_session = session.keeps_session();
   model.jobs = session.jobs();
   return model;
 }

@@ -24,6 +24,7 @@ struct StatusBarModel {
   std::string hint;                   ///< Said where there is none.
   bool is_recording = false;          ///< The active run is being written.
   std::string saving_fault = {};      ///< Why what is open could not be kept; empty: it is.
+  bool keeps_session = true;          ///< False: only preferences are, whatever is open.
   std::string incomplete;  ///< How the active run was stopped before its end; empty: it was not.
   std::size_t memory_used_bytes = 0;  ///< For what is decoded of runs and flights.
   std::size_t drawn_bytes = 0;        ///< For what is drawn: the map's tiles, pictures of panels.

@@ -99,6 +99,7 @@ Actions draw_timeline(kit::Ui& ui, const TimelineModel& model, TimelineState& st
   const auto scope = ui.scope("Timeline");
   if (model.active() == nullptr) {
     if (!model.reading.empty()) return draw_empty_state(ui, reading_state(model.reading));
+    if (!model.coming.empty()) return draw_empty_state(ui, coming_state(model.coming));
     return draw_empty_state(ui, no_run_state("its errors over time"));
   }
   detail::TimelineFrame frame{ui, model, state, axis_of(ui, ui.room(), model, state), asked};

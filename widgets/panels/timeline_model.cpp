@@ -45,7 +45,7 @@ TimelineModel timeline_model(const Session& session) {
   const OpenRun* const active = session.active_run();
   if (active == nullptr) return model;
   if (active->document == nullptr) {
-    model.reading = active->name;
+    (active->is_live ? model.coming : model.reading) = active->name;
     return model;
   }
   model.moments = active->moments;

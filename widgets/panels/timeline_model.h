@@ -41,6 +41,7 @@ struct TimelineModel {
   std::vector<Bookmark> bookmarks;                ///< Likewise.
   std::shared_ptr<const FlightRecording> flight;  ///< Null: none.
   std::string reading;  ///< Name of the active run while it is being read; empty else.
+  std::string coming;   ///< The same while it is being made and has no step yet.
 
   /// Null where none is read.
   [[nodiscard]] const TimelineRun* active() const;

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "widgets/panels/empty_state.h"
+#include "widgets/views/map_colours.h"
 
 namespace nadir {
 namespace {
@@ -37,7 +38,9 @@ void draw_body(kit::Ui& ui, const SeenMoment& moment, const PageRect& where) {
       at + Eigen::Vector2d(0.0, -0.3 * size), at + Eigen::Vector2d(0.6 * size, -0.7 * size),
       at + Eigen::Vector2d(0.0, size)};
   ui.canvas().fill(std::span(arrow).first(4), ui.theme().estimate_on_imagery);
-  ui.canvas().stroke(arrow, {with_opacity(ui.theme().casing_on_imagery, 0.8), ui.px(1.0)});
+  ui.canvas().stroke(
+      arrow, {with_opacity(casing_over_imagery(ui.theme(), ui.theme().estimate_on_imagery), 0.8),
+              ui.px(1.0)});
 }
 
 }  // namespace

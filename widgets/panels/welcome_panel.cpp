@@ -8,6 +8,7 @@
 #include "core/session/commands.h"
 #include "widgets/panels/panel_text.h"
 #include "widgets/panels/shortcut_hint.h"
+#include "widgets/panels/work_card.h"
 
 namespace nadir {
 namespace {
@@ -89,7 +90,7 @@ void draw_choice_words(kit::Ui& ui,
   const auto columns = ui.columns("Choices", {1.0, 1.0, 1.0});
   draw_choice_words(
       ui, kit::Icon::kPlane, "See how it works",
-      "A flight over a small town, made and localised on this computer in a few seconds.");
+      "A flight over a small town, made and localised on this computer in about half a minute.");
   {
     const auto pale = ui.disabled(!model.busy.empty(), model.busy);
     if (ui.button("Open the demo", kit::ButtonLook::kPrimary,
@@ -147,7 +148,10 @@ WelcomeModel welcome_model(const Session& session) {
           WelcomeModel::Offer{notice.text, notice.remedy_title, *notice.remedy, notice.number};
     }
   }
-  for (const JobStatus& job : session.jobs()) model.busy = job.title;
+  for (const JobStatus& job : session.jobs()) {
+    model.busy = job.title;
+    if (job.will_be_shown) model.work = job;
+  }
   const std::string& path = session.view().flight_path;
   if (!path.empty() && session.active_run() == nullptr) {
     WelcomeModel::LoneFlight alone;
@@ -186,6 +190,12 @@ Actions draw_welcome(kit::Ui& ui, const WelcomeModel& model) {
       "Replay a flight on its map, see where localising it went wrong and why, and try again with "
       "other settings.");
   ui.space(ui.px(24.0));
+  if (model.work) {
+    append(draw_work(ui, *model.work));
+    ui.space(ui.px(24.0));
+    ui.line();
+    ui.space(ui.px(16.0));
+  }
   append(draw_choices(ui, model));
   ui.space(ui.px(24.0));
   if (model.offer) {

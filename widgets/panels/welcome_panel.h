@@ -30,6 +30,7 @@ struct WelcomeModel {
   };
   std::optional<LoneFlight> flight;
   std::string busy;  ///< "making the demo": nothing can be begun until that is done; else empty.
+  std::optional<JobStatus> work;  ///< The same, where it is what is waited for.
 };
 
 [[nodiscard]] WelcomeModel welcome_model(const Session& session);

@@ -168,6 +168,13 @@ Actions draw_why_panel(kit::Ui& ui, const WhyModel& model, WhyState& state) {
     ui.text("computing…", kit::TextLook::kMuted);
   }
   ui.wrapped(answer.words);
+  if (!answer.hold_words.empty()) {
+    ui.wrapped(answer.hold_words);
+    ui.hint(
+        {"How far the estimate could be moved, with its heading, while the mean cost stays "
+         "about as good: the light valley around the ring of the error surface",
+         "", "", "computed with the run's own options"});
+  }
   const MomentExplanation& moment = *answer.explanation;
   if (const auto section = ui.section("Error surface and topview")) {
     draw_surface_and_patch(ui, model, state, asked);
@@ -180,6 +187,9 @@ Actions draw_why_panel(kit::Ui& ui, const WhyModel& model, WhyState& state) {
   }
   if (const auto section = ui.section("Mean cost")) draw_fits(ui, moment);
   if (const auto section = ui.section("Heading")) draw_surface_cuts(ui, model);
+  if (!answer.surety.empty()) {
+    if (const auto section = ui.section("Consistency")) ui.wrapped(answer.surety);
+  }
   if (!moment.modes.empty()) {
     if (const auto section = ui.section("Modes", true, fmt::format("{}", moment.modes.size())))
       draw_modes_table(ui, moment, asked);

@@ -19,6 +19,10 @@ namespace {
 
 constexpr double kRim = 0.75;  ///< Opacity of what lies around lines on a ramp of colours.
 
+Rgba rim_of(const Theme& theme, Rgba line) {
+  return with_opacity(casing_over_imagery(theme, line), kRim);
+}
+
 void mark_cross(
     Canvas& canvas, const Eigen::Vector2d& at, double arm, Rgba colour, Rgba rim, double width) {
   const std::array<Eigen::Vector2d, 2> along = {at - Eigen::Vector2d(arm, arm),
@@ -57,16 +61,15 @@ void draw_plane(
   const auto input = draw_picture(ui, "Surface", state.surface, state.texture_of, {side, side});
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
-  const Rgba rim = with_opacity(theme.casing_on_imagery, kRim);
   const GridPlace middle = surface.place_of(surface.volume.centre_in_enu);
   mark_ring(canvas, surface_point(surface, middle, input.where), ui.px(6.0),
-            theme.estimate_on_imagery, rim, ui.px(2.0));
+            theme.estimate_on_imagery, rim_of(theme, theme.estimate_on_imagery), ui.px(2.0));
   if (surface.truth && surface.is_truth_inside) {
     mark_cross(canvas, surface_point(surface, *surface.truth, input.where), ui.px(5.0),
-               theme.truth_on_imagery, rim, ui.px(2.0));
+               theme.truth_on_imagery, rim_of(theme, theme.truth_on_imagery), ui.px(2.0));
   }
   if (!input.area.is_hovered) return;
-  const GridPlace place = surface_place(surface, input.area.mouse, input.where);
+  const GridPlace place = surface_place(surface, middle_under_mouse(input.area), input.where);
   const ErrorSurfaceGrid& grid = surface.volume.grid;
   const int x = static_cast<int>(std::lround(place.x));
   const int y = static_cast<int>(std::lround(place.y));
@@ -106,22 +109,21 @@ void draw_turn(kit::Ui& ui, const MomentSurface& surface) {
                 value_colour(ValueColours::kViridis, goodness));
     curve.emplace_back(left + page.width / count / 2.0, page.height * (0.12 + 0.76 * goodness));
   }
-  const Rgba rim = with_opacity(theme.casing_on_imagery, kRim);
-  canvas.stroke(curve, {rim, ui.px(3.0)});
+  canvas.stroke(curve, {rim_of(theme, light_on_imagery(theme)), ui.px(3.0)});
   canvas.stroke(curve, {light_on_imagery(theme), ui.px(1.5)});
   const auto mark = [&](double yaw_place, Rgba colour) {
     const double x = page.width * (count - 0.5 - yaw_place) / count;
     if (!(x >= 0.0 && x <= page.width)) return;
     const std::array<Eigen::Vector2d, 2> line = {Eigen::Vector2d(x, 0.0),
                                                  Eigen::Vector2d(x, page.height)};
-    canvas.stroke(line, {rim, ui.px(3.0)});
+    canvas.stroke(line, {rim_of(theme, colour), ui.px(3.0)});
     canvas.stroke(line, {colour, ui.px(1.5)});
   };
   if (surface.truth) mark(surface.truth->yaw, theme.truth_on_imagery);
   mark(surface.place_of(surface.volume.centre_in_enu).yaw, theme.estimate_on_imagery);
   outline(canvas, page, theme.line);
   if (!input.is_hovered) return;
-  const double place = count - 0.5 - input.mouse.x() / page.width * count;
+  const double place = count - 0.5 - middle_under_mouse(input).x() / page.width * count;
   const auto i = static_cast<std::size_t>(
       std::clamp(std::lround(place), 0L, static_cast<long>(surface.turn.size()) - 1));
   const double turn_deg =

@@ -31,7 +31,7 @@ struct Theme {
 /// Runs of one figure look different by their colour and, from the fifth on, by dashes: eight do, the ninth looks like the
 /// first. Charts and maps ask here, so that a run looks the same in both. @param run  0 for the first of a figure.
 [[nodiscard]] Rgba run_colour(const Theme& theme, std::size_t run);
-/// The same run over imagery, where the first one's blue is lighter.
+/// The same run over imagery: its colour there too, on a casing of casing_over_imagery().
 [[nodiscard]] Rgba run_colour_on_imagery(const Theme& theme, std::size_t run);
 [[nodiscard]] bool is_run_dashed(std::size_t run);
 

@@ -177,9 +177,31 @@ TEST_F(GuiProgram, TellsFaultsOfScriptsAndArgumentsInOneSentence) {
   EXPECT_THAT(ended.words, HasSubstr("nowhere.txt: cannot be read"));
 }
 
-TEST_F(GuiProgram, ShowsWhatCannotBeOpenedAsANotice) {
-  const Ending ended = script("wait\nexpect-words missing.nadir\n", {path("missing.nadir")});
-  EXPECT_EQ(ended.status, 0) << ended.words;
+// A person sees the notice; whoever drives the window without a display has status and standard error.
+TEST_F(GuiProgram, ShowsWhatCannotBeOpenedAsANoticeAndFailsWhereNobodySeesIt) {
+  const std::string complaint = "nadir: " + path("missing.nadir") + ": does not exist\n";
+  Ending ended = script("wait\nexpect-words missing.nadir\n", {path("missing.nadir")});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.words, HasSubstr(complaint));
+  EXPECT_THAT(ended.words, testing::Not(HasSubstr("script.txt"))) << "it went on to its end";
+  ended = gui({path("missing.nadir"), "--screenshot", path("missing.png")});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.words, HasSubstr(complaint));
+  EXPECT_FALSE(cv::imread(path("missing.png")).empty()) << "the picture was asked for";
+}
+
+TEST_F(GuiProgram, SaysAlsoWhatIsFoundOutOnlyWhenAFileIsRead) {
+  std::string damaged = bytes("demo/run.nadir");
+  damaged.resize(damaged.size() / 2);
+  scratch_.file("damaged.nadir", damaged);
+  scratch_.file("drive/flight.toml", "[flight\n");
+  const Ending ended = gui({path("damaged.nadir"), path("drive"), path("demo/run.nadir"),
+                            "--screenshot", path("window.png")});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.words, HasSubstr(path("damaged.nadir")));
+  EXPECT_THAT(ended.words, HasSubstr("flight.toml: line 1"));
+  EXPECT_THAT(ended.words, testing::Not(HasSubstr("demo/run.nadir")));
+  EXPECT_EQ(gui({path("demo/run.nadir"), "--screenshot", path("window.png")}).status, 0);
 }
 
 }  // namespace gui_program_test

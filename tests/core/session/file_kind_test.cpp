@@ -94,8 +94,37 @@ TEST(FileToOpen, SaysWhyNot) {
   EXPECT_THAT(error_text(file_to_open(things.in("other.toml"))), HasSubstr("is no recipe"));
   EXPECT_THAT(error_text(file_to_open(things.in("broken.toml"))), HasSubstr("line 1"));
   EXPECT_THAT(error_text(file_to_open(things.in("film.mp4"))), HasSubstr("only PNG and SVG"));
+  EXPECT_THAT(error_text(file_to_open(things.in("plain"))),
+              HasSubstr("plain: is a folder that holds neither a map"));
   const fs::path large = things.scratch.file("large.toml", std::string(kMostRecipeBytes + 1, '#'));
   EXPECT_THAT(error_text(file_to_open(large)), HasSubstr("is too large for a recipe"));
+}
+
+TEST(FileToOpen, OfAForeignKindSaysWhatItLooksLikeAndWhatCanBeOpened) {
+  const ScratchFolder scratch;
+  std::string database("SQLite format 3\0", 16);
+  database.resize(100, '\0');
+  const std::vector<std::pair<fs::path, const char*>> foreign = {
+      {scratch.file("beach.jpg", "\xFF\xD8\xFF\xE0 and a beach"), "is a JPEG picture"},
+      {scratch.file("beach", "\xFF\xD8\xFF\xE0 without an ending"), "is a JPEG picture"},
+      {scratch.file("notes.txt", "Fly at noon.\n"), "is a text whose first line is no pose"},
+      {scratch.file("page.html", "\n<!DOCTYPE html>"), "is an XML or HTML text"},
+      {scratch.file("data.json", "{}"), "is a JSON text"},
+      {scratch.file("cells.tif", std::string("II*\0", 4)), "is a TIFF picture"},
+      {scratch.file("drive.bag", "#ROSBAG V2.0\n"), "is a ROS bag"},
+      {scratch.file("all.zip", "PK\x03\x04"), "is a ZIP archive"},
+      {scratch.file("noise.bin", std::string("\x01\x02\x00\x03", 4)), "is data of a kind"},
+      {scratch.file("nothing.txt", ""), "is empty"},
+      {scratch.file("poses.db", database), "is an SQLite database, but no run"}};
+  for (const auto& [path, looks] : foreign) {
+    const auto refused = file_to_open(path);
+    ASSERT_FALSE(refused) << path;
+    EXPECT_EQ(refused.error().code, ErrorCode::kUnsupported);
+    EXPECT_THAT(refused.error().message, testing::StartsWith(path.string() + ": " + looks));
+    for (const char* kind : {"runs", "flights", "maps", "figures", "recipes"}) {
+      EXPECT_THAT(refused.error().message, HasSubstr(kind)) << path;
+    }
+  }
 }
 
 }  // namespace file_kind_test

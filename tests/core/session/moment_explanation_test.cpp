@@ -83,9 +83,11 @@ TEST(ExplainMoment, FindsThatTheTruthFitsBetterAndThatHardlyAParticleWasThere) {
   EXPECT_LT(moment.by_class.front().cost_difference, 0.0);
   EXPECT_THAT(
       in_words(moment),
-      AllOf(HasSubstr("The true pose would have scored better (0.00 against 0."),
+      AllOf(HasSubstr("The true pose, 10 m and 0.0° away, would have scored better (mean cost 0.00 "
+                      "against 0."),
+            HasSubstr("; lower is better; a clear difference of 0."),
             HasSubstr("), but only 3 % of the particles were within 2 m of it. Curb cells tell "
-                      "most: 0 % of them agree at the estimate, 100 % at the truth.")));
+                      "most: 0 % agree at the estimate, 100 % at the truth.")));
 }
 
 TEST(ExplainMoment, SaysHowManyParticlesWereAtTheTruth) {
@@ -129,8 +131,10 @@ TEST(ExplainMoment, FindsThatTheMapMisleads) {
   EXPECT_EQ(moment.by_class.front().at_truth.share(), 0.0);
   EXPECT_THAT(in_words(moment),
               AllOf(HasSubstr("The map itself misleads here, or what was seen does: the estimate, "
-                              "10 m off, fits better than the truth (0.00 against 0."),
-                    HasSubstr("Curb cells tell most: 100 % of them agree at the estimate, 0 % at "
+                              "10 m and 0.0° off, fits better than the truth (mean cost 0.00 "
+                              "against 0."),
+                    HasSubstr("; lower is better; a clear difference of 0."),
+                    HasSubstr("Curb cells tell most: 100 % agree at the estimate, 0 % at "
                               "the truth.")));
 }
 
@@ -141,8 +145,8 @@ TEST(ExplainMoment, FindsThatTwoPlacesLookAlike) {
   EXPECT_EQ(moment.verdict, MomentVerdict::kBothFitAlike);
   EXPECT_EQ(in_words(moment),
             "What is seen here cannot tell the estimate from the truth, 20 m and 0.0° apart: both "
-            "fit about as well (0.000 and 0.000), and 30 % of the particles were within 2 m of "
-            "it.");
+            "fit about as well (mean cost 0.000 and 0.000; lower is better; no difference), and 30 "
+            "% of the particles were within 2 m of it.");
 }
 
 TEST(ExplainMoment, FindsThatTheEstimateIsRight) {
@@ -187,8 +191,9 @@ TEST(ExplainMoment, ManagesWithoutTheTruth) {
                moment.share_near_truth || moment.modes[0].to_truth_m);
   EXPECT_TRUE(moment.by_class.empty());
   EXPECT_EQ(in_words(moment),
-            "The truth is not known here. The estimate fits the map at a mean cost of 0.00, and "
-            "100 % of the cells on known ground agree. The particles form 2 clusters; the heaviest "
+            "The truth is not known here. The estimate fits the map at a mean cost of 0.00 (0 fits "
+            "everywhere, 1 nowhere), and 100 % of the cells on known ground agree. The particles "
+            "form 2 clusters; the heaviest "
             "holds 61 %.");
 }
 
@@ -199,24 +204,48 @@ TEST(ExplainMoment, TellsWhetherTheFilterKnewHowWrongItWas) {
   auto moment = explain_moment(step, matcher).value();
   EXPECT_NEAR(*moment.nees, 9.0 + 4.0, 1e-9);  // (3 m / 1 m)^2 + (0.2 rad / 0.1 rad)^2
   EXPECT_EQ(moment.is_truth_inside_95, false);
-  EXPECT_THAT(in_words(moment),
-              HasSubstr(" The NEES of this step, 13.0, is above the 95 % chi-square bounds 0.22 to "
+  EXPECT_THAT(surety_in_words(moment),
+              HasSubstr("The NEES of this step, 13.0, is above the 95 % chi-square bounds 0.22 to "
                         "9.35 (3 degrees of freedom); one step is no test of consistency, only "
                         "many are."));
   step.estimate.moments.covariance(0, 0) = 2.0;  // 9 / 2 is inside 5.99, and 4.5 + 4 below 9.35
   moment = explain_moment(step, matcher).value();
   EXPECT_EQ(moment.is_truth_inside_95, true);
-  EXPECT_THAT(in_words(moment), Not(HasSubstr("NEES")));
+  EXPECT_EQ(surety_in_words(moment), "");
   // A heading without spread has no NEES, but the position has its ellipse.
   step.estimate.moments.covariance = Eigen::Vector3d(1.0, 4.0, 0.0).asDiagonal();
   moment = explain_moment(step, matcher).value();
   EXPECT_FALSE(moment.nees);
-  EXPECT_THAT(in_words(moment),
-              HasSubstr(" The truth lies outside the 95 % position ellipse of this step "
+  EXPECT_THAT(surety_in_words(moment),
+              HasSubstr("The truth lies outside the 95 % position ellipse of this step "
                         "(chi-square, 2 degrees of freedom); one step is no test"));
   step.estimate.moments.covariance.setConstant(std::nan(""));
   moment = explain_moment(step, matcher).value();
   EXPECT_FALSE(moment.nees || moment.is_truth_inside_95);
+  EXPECT_EQ(surety_in_words(moment), "") << "nobody knows";
+}
+
+TEST(ExplainMoment, SaysHowMuchTheCostsDiffer) {
+  MomentExplanation moment;
+  moment.verdict = MomentVerdict::kFound;
+  moment.truth = PoseFit{};
+  moment.error_m = 1.24;
+  moment.error_deg = 3.0;
+  const auto words = [&](double at_estimate, double at_truth) {
+    moment.estimate.mean_cost = at_estimate;
+    moment.truth->mean_cost = at_truth;
+    return in_words(moment);
+  };
+  EXPECT_EQ(
+      words(0.0712, 0.0698),
+      "The estimate is 1.2 m and 3.0° from the truth; the mean cost is 0.071 at the estimate, "
+      "0.070 at the truth (lower is better; the difference of 0.0014 is too small to tell "
+      "them apart).");
+  EXPECT_THAT(words(0.0712, 0.0588), HasSubstr("lower is better; a small difference of 0.012)"));
+  EXPECT_THAT(words(0.06, 0.31), HasSubstr("lower is better; a clear difference of 0.25)"));
+  EXPECT_THAT(words(0.06, 0.06), HasSubstr("lower is better; no difference)"));
+  moment.rules.alike_cost = 0.5;
+  EXPECT_THAT(words(0.06, 0.31), HasSubstr("the difference of 0.25 is too small"));
 }
 
 TEST(ExplainMoment, FitsOdometryToo) {

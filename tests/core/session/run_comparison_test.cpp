@@ -114,6 +114,31 @@ TEST(RunComparison, ListsOptionsAsTheFieldListDoes) {
   EXPECT_EQ(names, expected);
 }
 
+TEST(RunComparison, TellsOptionsApartThatHaveNoEffect) {
+  const auto with_options = [](std::map<std::string, std::string> options) {
+    return with_header([&](RunHeader& header) { header.options = std::move(options); });
+  };
+  const std::vector<Document> scaled = {
+      with_options({{"motion", "scaled"}, {"translation-noise", "0.3"}, {"along-noise", "0.1"}}),
+      with_options({{"motion", "scaled"}, {"translation-noise", "0.5"}, {"along-noise", "0.2"}})};
+  const RunComparison comparison = compare_runs(scaled);
+  EXPECT_EQ(setting(comparison, "translation-noise"), nullptr);
+  ASSERT_NE(setting(comparison, "along-noise"), nullptr);
+  EXPECT_TRUE(setting(comparison, "along-noise")->has_effect());
+  ASSERT_EQ(comparison.idle_settings.size(), 1U);
+  EXPECT_EQ(comparison.idle_settings[0].name, "translation-noise");
+  EXPECT_EQ(comparison.idle_settings[0].values, (Values{"0.3", "0.5"}));
+  EXPECT_THAT(comparison.idle_settings[0].no_effect,
+              ElementsAre("motion = scaled", "motion = scaled"));
+  // Where one of them uses it, it takes part in what tells them apart.
+  const std::vector<Document> mixed = {
+      scaled[0], with_options({{"motion", "thesis"}, {"translation-noise", "0.5"}})};
+  const RunComparison other = compare_runs(mixed);
+  EXPECT_THAT(other.idle_settings, IsEmpty());
+  ASSERT_NE(setting(other, "translation-noise"), nullptr);
+  EXPECT_THAT(setting(other, "translation-noise")->no_effect, ElementsAre("motion = scaled", ""));
+}
+
 TEST(RunComparison, KnowsFlightsAndMapsByTheirHashes) {
   RunHeader a;
   a.flight = "loop";

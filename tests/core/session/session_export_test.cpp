@@ -142,10 +142,33 @@ TEST_F(SessionExportTest, SaysWhatOfTheMapAFigureLeavesOut) {
   act("layer reconstruction on");
   act("rotate -90");  // west is up then
   act("export " + in("m.png"));
-  EXPECT_EQ(
-      Settings::parse(only_effect<DrawFigureEffect>().recipe, "r")->text("options.up").value(),
-      "270");
-  EXPECT_THAT(notice_texts(), ElementsAre("m.png does not show the reconstruction"));
+  const auto effect = only_effect<DrawFigureEffect>();
+  EXPECT_EQ(Settings::parse(effect.recipe, "r")->text("options.up").value(), "270");
+  EXPECT_THAT(session_->notices(), IsEmpty()) << "one notice for one file, once it is there";
+  session_->finish_effect(effect.job, "", in("m.png"));
+  EXPECT_THAT(notice_texts(),
+              ElementsAre(in("m.png") + " was written; it does not show the reconstruction"));
+  EXPECT_EQ(session_->notices()[0].kind, Notice::Kind::kInfo) << "the box had said so";
+}
+
+TEST_F(SessionExportTest, TellsAllWarningsInOneNotice) {
+  open_run();
+  act("layer reconstruction on");
+  act("export " + in("m.png"));
+  session_->finish_effect(only_effect<DrawFigureEffect>().job, "", in("m.png"),
+                          {"DejaVu Sans is missing", "the map has changed"});
+  ASSERT_THAT(session_->notices(), SizeIs(1));
+  const Notice notice = session_->notices()[0];
+  EXPECT_EQ(notice.kind, Notice::Kind::kWarning) << "it stays until it is read";
+  EXPECT_EQ(notice.text, in("m.png") + " was written, with 3 warnings");
+  EXPECT_EQ(notice.details,
+            "it does not show the reconstruction\nDejaVu Sans is missing\nthe map has changed");
+  act("dismiss");
+  act("layer reconstruction off");
+  act("export " + in("n.png"));
+  session_->finish_effect(only_effect<DrawFigureEffect>().job, "", in("n.png"),
+                          {"DejaVu Sans is missing"});
+  EXPECT_THAT(notice_texts(), ElementsAre(in("n.png") + " was written; DejaVu Sans is missing"));
 }
 
 TEST_F(SessionExportTest, SaysWhyTheShellCouldNotDoIt) {

@@ -19,8 +19,8 @@ TEST_F(SessionFilesTest, RefusesWhatIsMissingOrForeignAtOnce) {
   const std::string folder = scratch_.path().string();
   EXPECT_EQ(refused("open " + folder + "/none.nadir"), folder + "/none.nadir: does not exist");
   EXPECT_EQ(refused("open \"\""), "no file is named");
-  EXPECT_EQ(refused(open(scratch_.file("text.nadir", "this is no run"))),
-            folder + "/text.nadir: is not a run file");
+  EXPECT_THAT(refused(open(scratch_.file("text.nadir", "this is no run"))),
+              HasSubstr(folder + "/text.nadir: is not a run file, for it is a text; Nadir opens"));
   EXPECT_THAT(refused(open(scratch_.file("film.mp4", "x"))),
               HasSubstr("only PNG and SVG figures carry what they show"));
   EXPECT_THAT(refused(open(scratch_.file("other.toml", "a = 1\n"))), HasSubstr("is no recipe"));

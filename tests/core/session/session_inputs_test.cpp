@@ -110,10 +110,13 @@ TEST_F(SessionInputsTest, KeepsTheMapThatItHasWhenAnotherCannotBeRead) {
 
 TEST_F(SessionInputsTest, ForgetsAFolderThatIsNoFlight) {
   fs::create_directory(scratch_.path() / "holiday");
-  act(open(scratch_.path() / "holiday"));
+  EXPECT_THAT(refused(open(scratch_.path() / "holiday")),
+              HasSubstr("holiday: is a folder that holds neither a map nor a flight"));
+  scratch_.file("drive/flight.toml", "[flight\n");  // what is wrong is found when it is read
+  act(open(scratch_.path() / "drive"));
   settle();
   EXPECT_EQ(session_->view().flight_path, "");
-  EXPECT_THAT(notice_texts(), Contains(HasSubstr("is not a flight")));
+  EXPECT_THAT(notice_texts(), Contains(HasSubstr("flight.toml: line 1")));
   EXPECT_FALSE(session_->undo_title());
   EXPECT_THAT(refused("rerun start"), HasSubstr("no flight is open"));
 }

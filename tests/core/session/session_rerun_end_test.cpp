@@ -38,7 +38,7 @@ TEST_F(SessionRerunEndTest, CanBeWatchedAndStoppedAndKeepsItsSteps) {
   open_run();
   ask_for_a_slow_run(*session_);
   act("rerun start");
-  poll_until(*session_, [&] { return session_->runs()[1].document != nullptr; });
+  poll_until(*session_, [&] { return session_->view().active_run == 2; });
   EXPECT_TRUE(session_->runs()[1].is_live);
   const std::size_t seen = document().steps.size();
   poll_until(*session_, [&] { return document().steps.size() > seen; });
@@ -55,6 +55,28 @@ TEST_F(SessionRerunEndTest, CanBeWatchedAndStoppedAndKeepsItsSteps) {
   EXPECT_FALSE(document().is_complete);
   EXPECT_EQ(static_cast<std::size_t>(RunReader::open(session_->runs()[1].path)->step_count()),
             document().steps.size());
+}
+
+TEST_F(SessionRerunEndTest, LeavesTheCursorWaitingUntilItsEndIsRead) {
+  open_run();
+  ask_for_a_slow_run(*session_);
+  act("rerun start");
+  poll_until(*session_, [&] { return session_->view().active_run == 2; });
+  act("run 1");
+  act("seek 1000");
+  act("run 2");  // what is being written may still come to that moment
+  const double waits_at_s = session_->playback().time_s;
+  ASSERT_GT(waits_at_s, document().duration_s());
+  act("cancel");
+  poll_until(*session_, [&] {
+    const OpenRun& run = *session_->active_run();
+    EXPECT_TRUE(run.is_live || session_->playback().time_s <= run.document->duration_s())
+        << session_->playback().time_s << " s of " << run.document->duration_s() << " s";
+    return !session_->is_busy();
+  });
+  EXPECT_FALSE(session_->runs()[1].is_live);
+  EXPECT_LT(document().duration_s(), waits_at_s);
+  EXPECT_EQ(session_->playback().time_s, document().duration_s());
 }
 
 TEST_F(SessionRerunEndTest, ThatIsClosedGoesOnAndIsOfferedWhenItIsDone) {

@@ -115,10 +115,11 @@ TEST_F(SessionRerunTest, MakesARunBesideTheActiveOneAndOpensIt) {
   ASSERT_THAT(session_->runs(), SizeIs(2));
   EXPECT_EQ(session_->runs()[1].path, made);
   EXPECT_TRUE(session_->runs()[1].is_live);
-  EXPECT_EQ(session_->view().active_run, 2);
+  EXPECT_EQ(session_->view().active_run, 1) << "it has nothing to show yet";
   EXPECT_THAT(session_->jobs()[0].title, HasSubstr("localising loop-2"));
   EXPECT_EQ(session_->undo_title(), "Rerun");
   settle();
+  EXPECT_EQ(session_->view().active_run, 2);
   EXPECT_FALSE(session_->runs()[1].is_live);
   ASSERT_NE(session_->runs()[1].document, nullptr);
   EXPECT_EQ(document().steps.size(), steps);
@@ -136,6 +137,62 @@ TEST_F(SessionRerunTest, MakesARunBesideTheActiveOneAndOpensIt) {
   act("redo");
   settle();
   EXPECT_EQ(session_->runs()[1].document->steps.size(), steps);
+}
+
+TEST_F(SessionRerunTest, WhatIsSeenStaysUntilTheNewRunHasAStepThatIsDecoded) {
+  open_run();
+  act("seek 2");
+  settle();
+  const MapLook seen = session_->resolved_map_look();
+  ask_for_a_slow_run(*session_);
+  for (const char* from : {"rerun start", "rerun cursor"}) {
+    act(from);
+    const int made = static_cast<int>(session_->runs().size());
+    const int before = session_->view().active_run;
+    ASSERT_NE(before, made);
+    while (session_->view().active_run != made) {
+      ASSERT_EQ(session_->view().active_run, before);
+      ASSERT_NE(session_->active_run()->document, nullptr) << "timeline and moment have something";
+      ASSERT_NE(session_->step(), nullptr) << "and so have map and layers";
+      ASSERT_TRUE(session_->is_busy());
+      session_->poll(0.01);
+      std::this_thread::yield();
+    }
+    ASSERT_NE(session_->step(), nullptr) << "from the first frame on";
+    const MapLook now = session_->resolved_map_look();
+    EXPECT_EQ(now.centre_in_enu_m, seen.centre_in_enu_m) << "the map does not jump";
+    EXPECT_EQ(now.width_m, seen.width_m);
+    act("cancel");
+    settle();
+    EXPECT_EQ(session_->view().active_run, made);
+    act("run 1");
+  }
+}
+
+TEST_F(SessionRerunTest, LeavesWhatSomebodyTurnedToMeanwhileAlone) {
+  open_run();
+  act(open(copy_run("second.nadir")));
+  settle();
+  ask_for_a_quick_run();
+  act("rerun start");
+  act("run 1");
+  settle();
+  EXPECT_EQ(session_->view().active_run, 1);
+  ASSERT_THAT(session_->runs(), SizeIs(3));
+  EXPECT_TRUE(session_->runs()[2].document->is_complete);
+}
+
+TEST_F(SessionRerunTest, TakenBackBeforeItsFirstStepShowsWhatWasSeen) {
+  open_run();
+  const MapLook before = session_->view().map;
+  ask_for_a_slow_run(*session_);
+  act("rerun start");
+  act("undo");
+  EXPECT_EQ(session_->view().map, before) << "all of the run, as it was";
+  act("cancel");
+  settle();
+  EXPECT_THAT(session_->runs(), SizeIs(1));
+  EXPECT_EQ(session_->view().active_run, 1);
 }
 
 TEST_F(SessionRerunTest, NeverOverwritesARun) {

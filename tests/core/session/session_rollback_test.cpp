@@ -73,7 +73,7 @@ TEST_F(SessionRollbackTest, ARerunThatIsRefusedKeepsTheCursorWhereItIsWatched) {
   open_run();
   ask_for_a_slow_run(*session_);
   act("rerun start");
-  poll_until(*session_, [&] { return session_->runs()[1].document != nullptr; });
+  poll_until(*session_, [&] { return session_->view().active_run == 2; });
   EXPECT_EQ(refused("option particles 0"), "particles: 0 is not in [1, 1000000]");
   EXPECT_THAT(refused("rerun flight"), HasSubstr("no flight is open"));
   const std::size_t seen = document().steps.size();

@@ -88,6 +88,55 @@ TEST_F(SessionSightTest, GoingToAMomentBringsItIntoView) {
   EXPECT_EQ(look().centre_in_enu_m, Eigen::Vector2d(-500.0, -500.0));
 }
 
+TEST_F(SessionSightTest, GoingToAMomentThatWouldBeTinyComesNear) {
+  open_run();
+  act("look 40 30 40000");
+  for (const char* go : {"go worst", "go previous-worst", "go next-worst"}) {
+    act("look 40 30 40000");
+    const auto gone = session_->apply(*parse_action(go));
+    if (!gone) continue;  // there is none before or behind
+    EXPECT_LT(look().width_m, 400.0) << go;
+    const Eigen::Vector2d at = share_at(step().estimate.moments.mean.translation_m(), 1.5);
+    EXPECT_NEAR(at.x(), 0.5, 0.4) << go;
+    EXPECT_NEAR(at.y(), 0.5, 0.4) << go;
+  }
+  act("go worst");
+  const MapLook there = look();
+  act("go worst");
+  EXPECT_EQ(look(), there) << "what is seen well stays";
+}
+
+TEST_F(SessionSightTest, GoingToAMomentShowsAllOfItsParticles) {
+  RerunTask task = SmallWorld::get().task(scratch_.path() / "lost.nadir");
+  task.prior = GlobalPrior{};
+  task.options.localiser.global_particle_count = 400;
+  ASSERT_TRUE(rerun(task, {}, [](RerunProgress) {}));
+  act(open(task.run));
+  settle();
+  act("look 40 30 12");  // the first steps know nothing: they are all over the map
+  act("bookmark");
+  act("seek 3");
+  act("go previous-bookmark");
+  settle();
+  ASSERT_NE(session_->step(), nullptr);
+  const ParticleSet& particles = *session_->step()->particles;
+  std::size_t in_sight = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const Eigen::Vector2d at = share_at({particles.x_in_enu_m[i], particles.y_in_enu_m[i]}, 1.5);
+    if (at.minCoeff() >= 0.0 && at.maxCoeff() <= 1.0) ++in_sight;
+  }
+  EXPECT_GT(in_sight, particles.size() * 97 / 100);
+}
+
+TEST_F(SessionSightTest, AMapThatFollowsComesNearButGoesOnFollowing) {
+  open_run();
+  act("look 0 0 40000");
+  act("follow on");
+  act("go worst");
+  EXPECT_TRUE(look().is_following);
+  EXPECT_LT(look().width_m, 400.0);
+}
+
 TEST_F(SessionSightTest, AMomentUnderTheToolsIsNotInView) {
   open_run();
   act("go worst");

@@ -190,6 +190,23 @@ TEST(Words, AreNotedAsTheyAreRead) {
   EXPECT_THAT(screen.words(), testing::HasSubstr("Error: 1.84 m"));
 }
 
+TEST(Words, PartNeitherWithinANumberNorBeforeItsUnit) {
+  HeadlessUi screen(ThemeName::kLight, 1.0, {300.0, 300.0});
+  const auto width_of = [&](const std::string& words, const std::string& first_line) {
+    double expected = 0.0;
+    screen.wait(2, [&](Ui& ui) {
+      expected = ui.text_width(first_line);
+      const auto narrow =
+          ui.columns("narrow", {expected + 30.0, ui.room().width - expected - 30.0});
+      ui.wrapped(words);
+    });
+    return screen.at(words).rect.width - expected;
+  };
+  // There is room for "0." and for "12" behind the first words.
+  EXPECT_NEAR(width_of("a mean cost of 0.274", "a mean cost of"), 0.0, 1.5);
+  EXPECT_NEAR(width_of("the place is 12 metr off", "the place is"), 0.0, 1.5);
+}
+
 TEST(Words, OfAnEmptyPanelOfferTheOneButtonThatFillsIt) {
   HeadlessUi screen;
   const auto draw = [](Ui& ui) {

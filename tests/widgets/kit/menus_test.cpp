@@ -153,5 +153,26 @@ TEST(Notices, StandAboveEachOtherAndAskForWhatWasClicked) {
   EXPECT_TRUE(screen.shows("libpng: read error"));
 }
 
+TEST(ContextMenus, OpenOnAnotherPartOfTheRowToo) {
+  HeadlessUi screen;
+  int chosen = 0;
+  const auto draw = [&](Ui& ui) {
+    (void)ui.icon_button("Part", Icon::kEye, {"Part of the row", ""});
+    ui.opens_context_menu("row");
+    ui.same_line();
+    ui.text("Title");
+    if (const auto menu = ui.context_menu("row")) chosen += ui.menu_item("Raise") ? 1 : 0;
+  };
+  for (const char* const part : {"Part", "Title"}) {
+    screen.right_click(part, draw);
+    screen.click("row/Raise", draw);
+  }
+  EXPECT_EQ(chosen, 2);
+  screen.press("Shift+Tab", draw);
+  screen.press("Shift+F10", draw);
+  screen.wait(2, draw);
+  EXPECT_TRUE(screen.has("row/Raise"));
+}
+
 }  // namespace menus_test
 }  // namespace nadir::kit

@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include "tests/widgets/kit/shown_tooltip.h"
 #include "widgets/kit/headless_ui.h"
 #include "widgets/kit/wrapped_lines.h"
-
-// After kit's: the place of a window is nobody's business but this test's.
-#include <imgui.h>
-#include <imgui_internal.h>
 
 namespace nadir::kit {
 namespace tooltips_test {
 
 using testing::HasSubstr;
-
-/// Where the tooltip of the last frame lies; nothing where none shows.
-std::optional<Rect> tooltip_place() {
-  for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows) {
-    const bool is_tooltip = (window->Flags & ImGuiWindowFlags_Tooltip) != 0;
-    if (is_tooltip && window->WasActive && !window->Hidden)
-      return Rect{window->Pos.x, window->Pos.y, window->Size.x, window->Size.y};
-  }
-  return std::nullopt;
-}
 
 constexpr const char* kLongHint =
     "What the filter's weights are made of: 0 fits everywhere, 1 nowhere; the first run's own "
@@ -45,24 +32,6 @@ TEST(Tooltips, AreNoWiderThanSixtyCharacters) {
     EXPECT_GT(place->height, 3.0 * line_height);
     EXPECT_LT(place->height, 6.0 * line_height);
   }
-}
-
-TEST(Tooltips, StayInTheWindow) {
-  HeadlessUi screen(ThemeName::kLight, 1.0, {700.0, 300.0});
-  const auto draw = [](Ui& ui) {
-    ui.space(240.0);
-    ui.text("left");
-    ui.same_line();
-    ui.right_align(80.0);
-    (void)ui.button("Cost", ButtonLook::kNormal, {kLongHint, ""});
-  };
-  screen.hover("Cost", draw);
-  screen.wait(2, draw);
-  const auto place = tooltip_place();
-  ASSERT_TRUE(place);
-  EXPECT_GE(place->left, 0.0);
-  EXPECT_LE(place->right(), 700.0);
-  EXPECT_LE(place->bottom(), 300.0);
 }
 
 TEST(Tooltips, OfOneShortLineAreOneLineHigh) {

@@ -63,6 +63,15 @@ TEST(ExportBox, SaysWhatOfTheMapWillNotBeInIt) {
   EXPECT_TRUE(box.screen.shows("Not in it: the error surface."));
 }
 
+TEST(ExportBox, SaysAllThatThereIsToBeWarnedOfAtOnce) {
+  Export box;
+  box.model.disk.add("/data/flights", "loop-moment.png", FileKind::kFigure);
+  box.model.left_out = "Not in it: the error surface.";
+  box.wait(4);
+  EXPECT_TRUE(box.screen.shows("There is such a file already")) << box.screen.words();
+  EXPECT_TRUE(box.screen.shows("Not in it: the error surface."));
+}
+
 TEST(ExportBox, ProposesANameForWhatIsChosenAndMakesItOnEnter) {
   Export box;
   box.wait(4);

@@ -26,6 +26,22 @@ TEST(OpenBox, BeginsWhereSomethingWasOpenedLastAndTakesTypingAtOnce) {
   EXPECT_FALSE(box.screen.has("Open/Names/loop-10.nadir"));
 }
 
+TEST(OpenBox, BeginsWhereItWasLeftUnlessSomethingWasOpenedElsewhereSince) {
+  BoxToOpen box;
+  box.wait();
+  box.press("Backspace");
+  const auto again = [&box] {
+    box.model.use = FileBoxModel::Use::kClosed;
+    box.wait();
+    box.model.use = FileBoxModel::Use::kOpen;
+    box.wait();
+    return folder_of_box(box);
+  };
+  EXPECT_EQ(again(), "/data");
+  box.model.first_folder = "/data/flights/2018";  // of what was dropped on the window, say
+  EXPECT_EQ(again(), "/data/flights/2018");
+}
+
 TEST(OpenBox, ShowsNameKindAndDate) {
   BoxToOpen box;
   box.wait();

@@ -77,6 +77,8 @@ TEST(FirstFolder, IsThatOfWhatWasOpenedLast) {
   EXPECT_EQ(first_folder(recents, "/home/ada"), "/data/flights");
   EXPECT_EQ(first_folder({}, "/home/ada"), "/home/ada");
   EXPECT_EQ(first_folder({}, ""), "/");
+  EXPECT_EQ(first_folder({}, "/home/ada", "/work"), "/work") << "where it was started";
+  EXPECT_EQ(first_folder(recents, "/home/ada", "/work"), "/data/flights");
 }
 
 TEST(GoInto, ForgetsWhatWasTypedAndGoesOnTyping) {

@@ -167,6 +167,27 @@ TEST(LayersPanel, AMenuRaisesAndLowersWithoutADrag) {
               ElementsAre(Action(actions::MoveLayer{Layer::kGraticule, -12})));
 }
 
+TEST(LayersPanel, AMenuOpensByTheKeyboardOnGripAndEye) {
+  for (const char* const part : {"grip", "visible"}) {
+    ShownLayers shown(layers_of_new_window());
+    const std::string row = "Layers/particles";
+    shown.screen.press("Shift+Tab", shown.draw());
+    for (int tabs = 0; tabs < 80 && !shown.screen.at(row + "/" + part).is_focused; ++tabs) {
+      shown.screen.press("Tab", shown.draw());
+    }
+    ASSERT_TRUE(shown.screen.at(row + "/" + part).is_focused) << part;
+    shown.screen.press("Shift+F10", shown.draw());
+    shown.screen.wait(2, shown.draw());
+    ASSERT_TRUE(shown.screen.has(row + "/order/Raise")) << part;
+    const kit::Rect control = shown.screen.at(row + "/" + part).rect;
+    const kit::Rect item = shown.screen.at(row + "/order/Raise").rect;
+    EXPECT_NEAR(item.left, control.left, 12.0) << "below the control and not where the mouse is";
+    EXPECT_GE(item.top, control.bottom());
+    EXPECT_THAT(shown.screen.click(row + "/order/Raise", shown.draw()),
+                ElementsAre(Action(actions::MoveLayer{Layer::kParticles, 1})));
+  }
+}
+
 TEST(LayersPanel, TheLegendStaysOnTopAndSaysSo) {
   ShownLayers shown(layers_of_new_window());
   EXPECT_FALSE(shown.screen.at("Layers/legend/grip").is_enabled);

@@ -59,6 +59,12 @@ TEST(MapNotes, SayFirstWhatAClickDoes) {
   EXPECT_THAT(map_note(model).words, HasSubstr("No map is open"));
   model.reading = "town";
   EXPECT_EQ(map_note(model).words, "Reading town…");
+  model.reading.clear();
+  model.coming = "loop-2";
+  EXPECT_EQ(map_note(model).words, "loop-2 shows here with its first step");
+  model.work = JobStatus{};
+  EXPECT_THAT(map_note(model).words, Not(HasSubstr("loop-2"))) << "its card says more";
+  model.work.reset();
   model.look.tool = MapTool::kPick;
   EXPECT_THAT(map_note(model).words, StartsWith("Click a particle"));
   model.step.reset();
@@ -123,6 +129,28 @@ TEST(PaneName, SaysAsMuchAsThereIsRoomForAndKeepsToTheMap) {
   EXPECT_THAT(said(360.0), StartsWith("loop medium 7: estimate"));
   EXPECT_THAT(said(360.0), Not(HasSubstr("topview")));
   EXPECT_EQ(said(60.0), "");
+}
+
+TEST(PaneName, SaysWhichRunItIsWhereNamesAreLong) {
+  const MadeMoment made;
+  MapViewModel model = made.map_view();
+  model.runs[0].name = "medium loop over the town at noon";
+  model.runs.push_back(model.runs[0]);
+  model.runs[1].number = model.runs[0].number + 1;
+  model.runs[1].name += "-2";
+  const auto said = [&](std::size_t run, double width) {
+    RecordingCanvas canvas;
+    const MapFrame frame{{0.0, 0.0, width, 400.0}, MapCamera{}, 96.0 / 72.0};
+    draw_pane_name(canvas, frame, model, model.runs[run], 48.0, theme(ThemeName::kDark));
+    return canvas.texts.empty() ? std::string() : canvas.texts[0].line;
+  };
+  EXPECT_THAT(said(0, 600.0), StartsWith("medium loop over the town at noon: "));
+  EXPECT_THAT(said(0, 200.0), StartsWith("…noon"));
+  EXPECT_THAT(said(1, 200.0), StartsWith("…noon-2"));
+  // Nothing in common: as much of it as there is room for.
+  model.runs[0].name = "a quiet flight over the harbour";
+  EXPECT_THAT(said(0, 260.0), HasSubstr("…"));
+  EXPECT_THAT(said(0, 260.0), HasSubstr("harbour"));
 }
 
 TEST(EscapeWish, EndsOneThingAfterTheOther) {

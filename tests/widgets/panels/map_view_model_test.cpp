@@ -51,6 +51,35 @@ TEST_F(MapViewModelTest, RunsOfOneMapAreDrawnTogetherTheActiveOneOnTop) {
   EXPECT_THAT(map_view_model(*session_).apart, IsEmpty());
 }
 
+TEST_F(MapViewModelTest, OfARunThatIsBegunBesideAnotherSaysThatItComes) {
+  open_run();
+  ask_for_a_slow_run(*session_);
+  act("rerun start");
+  const MapViewModel model = map_view_model(*session_);
+  EXPECT_EQ(model.coming, "loop-2");
+  EXPECT_EQ(model.reading, "") << "it is made and not read";
+  EXPECT_FALSE(model.work) << "there is something else to see";
+  poll_until(*session_, [&] { return session_->view().active_run == 2; });
+  EXPECT_EQ(map_view_model(*session_).coming, "");
+  act("cancel");
+  settle();
+}
+
+TEST_F(MapViewModelTest, OfAFirstRunShowsHowFarItIs) {
+  act(SessionTest::open(SmallWorld::get().flight));
+  act(SessionTest::open(SmallWorld::get().map));
+  settle();
+  ask_for_a_slow_run(*session_);
+  act("rerun flight");
+  const MapViewModel model = map_view_model(*session_);
+  ASSERT_TRUE(model.work);
+  EXPECT_THAT(model.work->title, HasSubstr("localising"));
+  poll_until(*session_, [&] { return session_->active_run()->document != nullptr; });
+  EXPECT_FALSE(map_view_model(*session_).work) << "then it is seen";
+  act("cancel");
+  settle();
+}
+
 TEST_F(MapViewModelTest, ARunOfAnotherPlaceIsSetApart) {
   const std::string harbour = run_with("harbour.nadir", [](RunHeader& header) {
     header.plane_latitude_deg += 1.0;

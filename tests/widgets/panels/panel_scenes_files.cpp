@@ -67,6 +67,7 @@ ExportModel exports() {
   model.sentence =
       "Draws figure ‘moment’ of loop medium 7 at 42.3 s into "
       "~/flights/loop-medium-7-moment-42.3s.png.";
+  model.left_out = "Not in it: the error surface and 2 other runs.";
   return model;
 }
 

@@ -15,6 +15,7 @@
 #include "widgets/panels/shortcut_sheet.h"
 #include "widgets/panels/status_bar.h"
 #include "widgets/panels/welcome_panel.h"
+#include "widgets/panels/work_card.h"
 
 namespace nadir::scenes {
 namespace {
@@ -95,8 +96,8 @@ NoticesModel some_notices() {
   error.remedy = actions::OpenDemo{};
   error.remedy_title = "Open the demo";
   NoticesModel model;
-  model.shown = {done, warning, error};
-  model.not_shown = {7, 8};
+  model.all = {done, done, done, warning, error};
+  for (std::size_t i = 0; i < 3; ++i) model.all[i].number = static_cast<int>(i) + 5;
   return model;
 }
 
@@ -175,8 +176,11 @@ const auto kDrawRail = [](kit::Ui& ui, const LeftRailModel& model, Nothing& /*st
 const auto kDrawStatus = [](kit::Ui& ui, const StatusBarModel& model, Nothing& /*state*/) {
   return draw_status_bar(ui, model);
 };
-const auto kDrawNotices = [](kit::Ui& ui, const NoticesModel& model, Nothing& /*state*/) {
-  return draw_notices(ui, model, ui.screen());
+const auto kDrawNotices = [](kit::Ui& ui, const NoticesModel& model, NoticesState& state) {
+  return draw_notices(ui, model, state, ui.screen());
+};
+const auto kDrawWork = [](kit::Ui& ui, const JobStatus& job, Nothing& /*state*/) {
+  return draw_work_card(ui, job, ui.room());
 };
 const auto kDrawAbout = [](kit::Ui& ui, const AboutModel& model, Nothing& /*state*/) {
   return draw_about(ui, model);
@@ -201,7 +205,7 @@ void add_window_scenes(std::vector<PanelScene>& scenes) {
   scenes.push_back(panel("log", "log_panel", {320.0, 400.0}, Room::kScrolled, log_lines(),
                          LogState{}, kDrawLog));
   scenes.push_back(
-      overlay("notices", "notices", {460.0, 480.0}, some_notices(), Nothing(), kDrawNotices));
+      overlay("notices", "notices", {460.0, 480.0}, some_notices(), NoticesState{}, kDrawNotices));
   scenes.push_back(overlay("palette", "command_palette", window, palette(),
                            typed_in_palette("the", ""), draw_command_palette));
   scenes.push_back(variant(overlay("palette-arguments", "command_palette", window, palette(),
@@ -223,6 +227,12 @@ void add_window_scenes(std::vector<PanelScene>& scenes) {
   unsaved.saving_fault = "/home/ada/.config/nadir: Permission denied";
   scenes.push_back(variant(panel("status-unsaved", "status_bar", {1120.0, kStatusBarHeight},
                                  Room::kBare, unsaved, Nothing(), kDrawStatus)));
+  StatusBarModel fresh;
+  fresh.hint = "Nothing is open";
+  fresh.keeps_session = false;
+  fresh.memory_megabytes = 256;
+  scenes.push_back(without_data(panel("status-fresh", "status_bar", {1120.0, kStatusBarHeight},
+                                      Room::kBare, fresh, Nothing(), kDrawStatus)));
   // What of these has nothing to say.
   scenes.push_back(without_data(panel("log-empty", "log_panel", {320.0, 280.0}, Room::kScrolled,
                                       std::vector<std::string>(), LogState{}, kDrawLog)));
@@ -233,8 +243,12 @@ void add_window_scenes(std::vector<PanelScene>& scenes) {
                                       Room::kBare, idle, Nothing(), kDrawStatus)));
   scenes.push_back(without_data(panel("welcome-first", "welcome_panel", {560.0, 420.0}, Room::kBare,
                                       WelcomeModel{}, Nothing(), kDrawWelcome)));
+  const JobStatus demo{7, "making the demo", 0.4, "rendering frames", 18.0, true};
+  scenes.push_back(
+      panel("work", "work_card", {480.0, 180.0}, Room::kFilled, demo, Nothing(), kDrawWork));
   WelcomeModel busy;
   busy.busy = "making the demo";
+  busy.work = demo;
   scenes.push_back(without_data(panel("welcome-busy", "welcome_panel", {560.0, 420.0}, Room::kBare,
                                       busy, Nothing(), kDrawWelcome)));
   scenes.push_back(without_data(overlay("palette-no-match", "command_palette", window, palette(),

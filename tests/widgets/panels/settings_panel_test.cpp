@@ -7,8 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "tests/support/error_text.h"
-#include "widgets/kit/headless_ui.h"
+#include "tests/widgets/panels/shown_settings.h"
 
 namespace nadir {
 namespace settings_panel_test {
@@ -18,42 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-class SettingsPanelTest : public ::testing::Test {
- protected:
-  SettingsPanelTest() { refresh(); }
-  void refresh() {
-    model.rows = setting_rows(draft, {});
-    model.presets = {"default", "thesis"};
-    model.preset = "default";
-  }
-  /// Draws, and carries out what is asked for, as Session does.
-  auto drawing() {
-    return [this](kit::Ui& ui) {
-      Actions asked = draw_settings_panel(ui, model, state);
-      for (const Action& action : asked) {
-        const auto* set = std::get_if<actions::SetOption>(&action);
-        if (set == nullptr) continue;
-        const auto done =
-            set_option(draft, set->name, set->value.value_or(row(set->name).preset_value));
-        EXPECT_TRUE(done) << error_text(done);
-        refresh();
-      }
-      return asked;
-    };
-  }
-  const SettingRow& row(const std::string& name) const {
-    return *std::find_if(model.rows.begin(), model.rows.end(),
-                         [&](const SettingRow& one) { return one.name == name; });
-  }
-  std::string path(const std::string& name) const {
-    return "Settings/" + row(name).group + "/" + name;
-  }
-
-  RunOptions draft;
-  SettingsModel model;
-  SettingsState state;
-  kit::HeadlessUi screen{ThemeName::kDark, 1.0, {400.0, 2600.0}};
-};
+using SettingsPanelTest = ShownSettings;
 
 TEST_F(SettingsPanelTest, HasAControlForEveryOptionOfTheList) {
   const auto texts = option_texts(RunOptions{});
@@ -91,6 +55,7 @@ std::string another_value(const SettingRow& row) {
 TEST_F(SettingsPanelTest, EveryOptionAsksForItselfOnceAndCanBeTakenBack) {
   screen.wait(2, drawing());
   for (std::size_t i = 0; i < model.rows.size(); ++i) {
+    let_count(model.rows[i].name);
     const SettingRow before = model.rows[i];
     const std::string wanted = another_value(before);
     SCOPED_TRACE(before.name + " to " + wanted);
@@ -185,6 +150,7 @@ TEST_F(SettingsPanelTest, EveryNumberOutOfRangeIsRefusedAtItsControlAndKept) {
     if (!is_number || !std::isfinite(before.least) || before.least < -1e6) continue;
     const std::string wrong = setting_text(before.least - 1.0, 1);
     SCOPED_TRACE(before.name + " to " + wrong);
+    let_count(before.name);
     EXPECT_THAT(screen.type(path(before.name), wrong, drawing()), IsEmpty());
     screen.wait(2, drawing());
     EXPECT_EQ(screen.at(path(before.name)).value, wrong) << "it stays until it is corrected";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Notices, status bar and log.
+// Status bar and log.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 #include "tests/widgets/panels/asked.h"
 #include "widgets/kit/headless_ui.h"
 #include "widgets/panels/log_panel.h"
-#include "widgets/panels/notices.h"
 #include "widgets/panels/status_bar.h"
 
 namespace nadir {
@@ -18,68 +17,6 @@ namespace status_test {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-struct Notices {
-  kit::HeadlessUi screen;
-  NoticesModel model;
-  Actions operator()(kit::Ui& ui) { return draw_notices(ui, model, ui.screen()); }
-  Notice& add(int number) {
-    Notice notice;
-    notice.number = number;
-    notice.kind = Notice::Kind::kError;
-    notice.text = "loop.nadir: step 7 is damaged";
-    notice.details = "checksum 12 instead of 34";
-    model.shown.push_back(notice);
-    return model.shown.back();
-  }
-};
-
-TEST(Notices, AreDismissedCopiedAndRemedied) {
-  Notices notices;
-  Notice& notice = notices.add(3);
-  notice.remedy = actions::OpenDemo{};
-  notice.remedy_title = "Open the demo";
-  EXPECT_THAT(texts(notices.screen.click("Notices/3/Open the demo", notices)),
-              ElementsAre("open-demo", "dismiss 3"));
-  EXPECT_THAT(texts(notices.screen.click("Notices/3/Dismiss", notices)), ElementsAre("dismiss 3"));
-  const Actions asked = notices.screen.click("Notices/3/Copy", notices);
-  ASSERT_EQ(asked.size(), 1U);
-  EXPECT_EQ(std::get<actions::Copy>(asked[0]).text,
-            "loop.nadir: step 7 is damaged\nchecksum 12 instead of 34");
-}
-
-TEST(Notices, OfWhichThereAreTooManySendToTheLog) {
-  Notices notices;
-  notices.add(9);
-  notices.model.not_shown = {1, 2};
-  EXPECT_THAT(texts(notices.screen.click("Notices/earlier/Show the log", notices)),
-              ElementsAre("panel log on"));
-  EXPECT_TRUE(notices.screen.shows("2 earlier notices"));
-  EXPECT_THAT(texts(notices.screen.click("Notices/earlier/Dismiss", notices)),
-              ElementsAre("dismiss 1", "dismiss 2"));
-}
-
-TEST(Notices, StandAboveEachOtherInTheLowerRightCorner) {
-  Notices notices;
-  notices.add(1);
-  notices.add(2);
-  notices.screen.wait(4, notices);
-  const kit::Rect older = notices.screen.at("Notices/1").rect,
-                  newer = notices.screen.at("Notices/2").rect;
-  EXPECT_LE(older.bottom(), newer.top);
-  EXPECT_LE(newer.bottom(), 800.0);
-  EXPECT_GT(newer.left, 640.0);
-}
-
-TEST(NoticesModel, ShowsTheNewestOfASession) {
-  const ScratchFolder folder;
-  Session session({folder.path() / "config", folder.path() / "data", {}});
-  for (int i = 0; i < 6; ++i) session.notify(Notice::Kind::kInfo, "notice " + std::to_string(i));
-  const NoticesModel model = notices_model(session);
-  ASSERT_EQ(model.shown.size(), NoticesModel::kMostShown);
-  EXPECT_EQ(model.shown.back().text, "notice 5");
-  EXPECT_EQ(model.not_shown.size(), 2U);
-}
 
 struct Status {
   explicit Status(double width = 1280.0) : screen(ThemeName::kDark, 1.0, {width, 60.0}) {}
@@ -172,6 +109,27 @@ TEST(StatusBar, SaysThatWhatIsOpenIsNotSavedAndTriesAgain) {
   EXPECT_THAT(status.screen.at("Status/not saved: try again").tooltip,
               HasSubstr("/config: Permission denied"));
   EXPECT_FALSE(status.screen.shows("recording"));
+}
+
+TEST(StatusBar, OfAFreshWindowSaysThatWhatIsOpenIsNotKept) {
+  Status status;
+  status.model.keeps_session = false;
+  status.screen.wait(2, status);
+  EXPECT_FALSE(status.screen.has("Status/saved")) << "it is not";
+  EXPECT_THAT(status.screen.at("Status/not kept").tooltip,
+              HasSubstr("the next start shows what was open before this window"));
+  status.model.saving_fault = "/config: Permission denied";
+  status.screen.wait(2, status);
+  EXPECT_THAT(status.screen.at("Status/not saved: try again").tooltip,
+              HasSubstr("Preferences cannot be kept: /config"));
+}
+
+TEST(StatusBarModel, KnowsWhetherTheSessionIsKept) {
+  const ScratchFolder folder;
+  SessionPlaces places{folder.path() / "config", folder.path() / "data", {}};
+  EXPECT_TRUE(status_bar_model(Session(places), std::nullopt).keeps_session);
+  places.keeps_session = false;
+  EXPECT_FALSE(status_bar_model(Session(places), std::nullopt).keeps_session);
 }
 
 TEST(StatusBar, ShowsTheNewestJobAndStopsIt) {

@@ -157,6 +157,40 @@ TEST_F(WhyPanelTest, AClickOnTheSurfaceShowsThatPlaceOnTheMap) {
   EXPECT_NEAR(look.north_m, estimate.y_m, 1e-6);
 }
 
+TEST_F(WhyPanelTest, EveryPixelOfTheSurfaceIsThePlaceThatItShows) {
+  screen.wait(2, drawing());
+  const std::string path = "Why/Error surface and topview/Surface";
+  const kit::Rect area = screen.at(path).rect;
+  const ErrorSurfaceGrid& grid = model.answer->surface->volume.grid;
+  const Rigid2& estimate = made.step->estimate.moments.mean;
+  const int side = static_cast<int>(area.width);
+  const auto sample = [&](int pixel, int count) {  // at the middle of the pixel
+    return (2 * pixel + 1) * count / (2 * side);
+  };
+  for (const int pixel : {0, 1, 2, 3, 4, 60, 74, 75, 76, 100, side - 3, side - 2, side - 1}) {
+    SCOPED_TRACE(pixel);
+    const Actions asked = screen.click_at(path, pixel, pixel, drawing());
+    ASSERT_EQ(asked.size(), 1U);
+    const auto& look = std::get<actions::LookAt>(asked[0]);
+    const int east = sample(pixel, grid.count_x) - grid.count_x / 2;
+    const int south = sample(pixel, grid.count_y) - grid.count_y / 2;
+    EXPECT_NEAR(look.east_m, estimate.x_m + east * grid.step_m, 1e-9);
+    EXPECT_NEAR(look.north_m, estimate.y_m - south * grid.step_m, 1e-9);
+  }
+}
+
+TEST_F(WhyPanelTest, SaysHowWellThePlaceIsHeldAndKeepsConsistencyForItsOwnSection) {
+  screen.wait(2, drawing());
+  ASSERT_THAT(model.answer->hold_words, HasSubstr("The place is not held: the cost falls by 0.50 "
+                                                  "towards a place 3.0 m south of it."));
+  EXPECT_TRUE(screen.shows(model.answer->hold_words)) << screen.words();
+  ASSERT_THAT(model.answer->surety, HasSubstr("NEES"));
+  EXPECT_TRUE(screen.has("Why/Consistency/" + model.answer->surety));
+  MomentQuestion question = question_of(made);
+  question.with_surface = false;
+  EXPECT_EQ(answer_of(question)->hold_words, "") << "nobody knows without a surface";
+}
+
 TEST_F(WhyPanelTest, EachModeCanBeLookedAt) {
   RunStep step = *made.step;
   PoseMode near{0.7, step.estimate.moments};

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/panels/run_tables.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/widgets/panels/shown_runs.h"
+
+namespace nadir {
+namespace run_tables_test {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string kMark = "•";
+
+/// The second run was stopped after 8 s, before the flight became hard for both.
+RunsModel with_a_stopped_run() {
+  const auto hard_at_the_end = [](RunStep& step) {
+    set_error_m(step, step.step < 100 ? 0.2 : 8.0);
+  };
+  RunDocument stopped = made_run(80, hard_at_the_end);
+  stopped.is_complete = false;
+  RunsModel model;
+  model.rows = {row_of(1, "calm", made_document(200, hard_at_the_end)),
+                row_of(2, "wild", RunDocument::from_steps(stopped))};
+  return model;
+}
+
+TEST(RunTables, CompareAStoppedRunOverTheTimeThatBothCover) {
+  ShownRuns shown(with_a_stopped_run());
+  EXPECT_TRUE(
+      shown.screen.shows("Only over 00:00.0 to 00:07.9, which all of these runs cover: wild "
+                         "ends there"))
+      << shown.screen.words();
+  EXPECT_EQ(shown.cell("position RMSE", "calm"), "0.20") << "not 5.66, as over all of it";
+  EXPECT_EQ(shown.cell("position RMSE", "wild"), "0.20");
+  for (const char* const metric : {"position RMSE", "position max", "within 1 m", "NEES mean"}) {
+    EXPECT_THAT(shown.cell(metric, "wild"), Not(HasSubstr(kMark))) << metric;
+  }
+}
+
+TEST(RunTables, SayOverWhichTimeTheNumbersAre) {
+  EXPECT_TRUE(ShownRuns(two_runs()).screen.shows("Over all of these runs, 00:00.0 to 00:19.9"));
+  RunsModel alone = two_runs();
+  alone.rows.pop_back();
+  EXPECT_TRUE(ShownRuns(alone).screen.shows("Over the whole run, 00:00.0 to 00:19.9"));
+}
+
+TEST(RunTables, OfRunsThatShareNoTimeMarkNone) {
+  RunDocument late = made_run(200);
+  late.steps.erase(late.steps.begin(), late.steps.begin() + 120);
+  RunsModel model = with_a_stopped_run();
+  model.rows[0].document = model.rows[1].document;
+  model.rows[1].document = RunDocument::from_steps(late);
+  ShownRuns shown(model);
+  EXPECT_TRUE(
+      shown.screen.shows("These runs share no time of the flight: each number is over all of "
+                         "its own run, and none is marked as the best"));
+  EXPECT_FALSE(shown.screen.shows(kMark)) << shown.screen.words();
+  RunDocument elsewhere = made_run(200);
+  elsewhere.header.flight_hash = "f2";
+  model.rows[1].document = RunDocument::from_steps(elsewhere);
+  EXPECT_TRUE(
+      ShownRuns(model).screen.shows("Runs of different flights: each number is over all of"));
+}
+
+TEST(RunTables, TellThatARunWentOnFromTheOther) {
+  RunsModel model = two_runs();
+  RunDocument child = made_run(200);
+  child.path = "/runs/wild.nadir";
+  child.header.parent_run = "/old/place/made.nadir";
+  child.header.started_at_s = 108.0;
+  model.rows[1].document = RunDocument::from_steps(child);
+  EXPECT_TRUE(ShownRuns(model).screen.shows("Up to 00:08.0 wild has its steps from calm"));
+  child.header.parent_run = "/runs/closed.nadir";
+  model.rows[1].document = RunDocument::from_steps(child);
+  EXPECT_FALSE(ShownRuns(model).screen.shows("has its steps from"));
+}
+
+TEST(RunTables, TellSettingsApartThatHaveNoEffect) {
+  const auto document = [](const std::string& noise, const std::string& motion) {
+    RunDocument made = made_run(200);
+    made.header.options = {{"motion", motion}, {"translation-noise", noise}};
+    return RunDocument::from_steps(made);
+  };
+  RunsModel model;
+  model.rows = {row_of(1, "calm", document("0.3", "scaled")),
+                row_of(2, "wild", document("0.5", "scaled"))};
+  ShownRuns shown(model);
+  const std::string section = "Runs/Settings that differ/";
+  EXPECT_TRUE(shown.screen.shows("None that has an effect")) << shown.screen.words();
+  EXPECT_FALSE(shown.screen.has(section + "settings/translation-noise"));
+  EXPECT_EQ(shown.screen.at(section + "without effect/translation-noise/wild").value, "0.5");
+  EXPECT_THAT(shown.screen.at(section + "without effect/translation-noise/").tooltip,
+              HasSubstr("no effect while motion = scaled"));
+  EXPECT_TRUE(shown.screen.shows("These differ too, but have no effect in any of these runs"));
+  // One of the two uses it: then it is a difference, and the other says that it does not.
+  model.rows[1].document = document("0.5", "thesis");
+  ShownRuns mixed(model);
+  EXPECT_TRUE(mixed.screen.has(section + "settings/motion"));
+  EXPECT_FALSE(mixed.screen.has(section + "without effect"));
+  EXPECT_THAT(mixed.screen.at(section + "settings/translation-noise/calm").tooltip,
+              HasSubstr("No effect in this run while motion = scaled"));
+  EXPECT_EQ(mixed.screen.at(section + "settings/translation-noise/wild").tooltip, "");
+}
+
+TEST(RunTables, KeepRunsBesideEachOtherWhereASettingIsASentence) {
+  RunsModel model = two_runs();
+  RunDocument child = made_run(200);
+  child.header.options["prior"] = "particles of step 240 of a run with a long name.nadir";
+  model.rows[1].document = RunDocument::from_steps(child);
+  ShownRuns shown(model);
+  const std::string row = "Runs/Settings that differ/settings/prior/";
+  ASSERT_TRUE(shown.screen.has(row + "calm") && shown.screen.has(row + "wild"));
+  EXPECT_EQ(shown.screen.at(row + "wild").rect.top, shown.screen.at(row + "calm").rect.top);
+  EXPECT_THAT(shown.screen.at(row + "wild").tooltip,
+              HasSubstr("particles of step 240 of a run with a long name.nadir"));
+}
+
+TEST(RunTables, NumbersOfEveryGroupEndBelowTheNamesOfTheirRuns) {
+  ShownRuns shown(two_runs());
+  for (const char* const run : {"calm", "wild"}) {
+    const double right = shown.screen.at(std::string("Runs/Errors/metrics/") + run).rect.right();
+    for (const char* const metric : {"position RMSE", "NEES mean", "within 1 m"}) {
+      const std::string path = std::string("Runs/Errors/metrics/") + metric + "/" + run;
+      EXPECT_DOUBLE_EQ(shown.screen.at(path).rect.right(), right) << metric;
+    }
+  }
+}
+
+}  // namespace run_tables_test
+}  // namespace nadir
