@@ -89,8 +89,7 @@ function(nadir_add_test path)
   nadir_unite_sources(${name})
   if("unit" IN_LIST TEST_LABELS OR "fuzz" IN_LIST TEST_LABELS)  # what AddressSanitizer looks at
     add_dependencies(unit_tests ${name})
-  endif()
-  if(NOT "unit" IN_LIST TEST_LABELS)  # what CI looks at in an optimised build
+  else()  # what CI looks at in an optimised build
     add_dependencies(whole_tests ${name})
   endif()
   if("slow" IN_LIST TEST_LABELS)  # statistics over many draws, nothing that a sanitizer has not seen in the quick ones
