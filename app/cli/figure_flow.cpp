@@ -120,7 +120,9 @@ Result<FigureRecipe> stored_recipe(const fs::path& path) {
     if (found != texts->end()) text = found->second;
   }
   if (text.empty()) {
-    return fail(ErrorCode::kMalformed, "{}: carries no recipe of a figure", path.string());
+    return fail(ErrorCode::kMalformed,
+                "{}: carries no recipe: Nadir has not drawn it, or its recipe was taken out",
+                path.string());
   }
   return parse_figure_recipe(text, path.string());
 }

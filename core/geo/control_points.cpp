@@ -34,9 +34,9 @@ Result<Affine2> fit_similarity(std::span<const ControlPoint> points) {
   return fit;
 }
 
-/// Second moments of columns about their mean: near zero along one direction, the points lie on a line.
+/// Whether clicks, which are some pixels off, do not tell how far points are from one line.
 bool are_on_a_line(const Eigen::Matrix2Xd& points) {
-  constexpr double kThinnest = 1e-6;  // of their length
+  constexpr double kThinnest = 0.01;  // of their length
   const Eigen::Matrix2Xd apart = points.colwise() - points.rowwise().mean();
   const Eigen::Vector2d lengths = apart.jacobiSvd().singularValues();
   return !(lengths(1) > kThinnest * lengths(0));

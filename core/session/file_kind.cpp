@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <fstream>
 #include <string>
 #include <system_error>
@@ -79,6 +80,22 @@ Result<FileKind> kind_of_toml(const fs::path& path) {
               "{}: is no recipe: it names neither a figure nor a preset or options", path.string());
 }
 
+/// Name of the first run in a folder by the alphabet; empty: none, or the folder is too large to look.
+std::string first_run_in(const fs::path& folder) {
+  constexpr int kMostEntries = 1000;
+  std::error_code error;
+  std::string first;
+  int seen = 0;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (++seen > kMostEntries) return {};
+    const fs::path& found = entry->path();
+    if (found.extension() != ".nadir" || !begins_like_sqlite(found)) continue;
+    if (first.empty() || found.filename().string() < first) first = found.filename().string();
+  }
+  return first;
+}
+
 }  // namespace
 
 Result<FileToOpen> file_to_open(const fs::path& path) {
@@ -89,10 +106,18 @@ Result<FileToOpen> file_to_open(const fs::path& path) {
   if (fs::is_directory(path, error)) {
     if (fs::exists(path / "map.toml", error)) return FileToOpen{FileKind::kMap, path};
     if (is_flight_folder(path)) return FileToOpen{FileKind::kFlight, path};
+    if (const std::string run = first_run_in(path); !run.empty()) {
+      return fail(ErrorCode::kUnsupported, "{}: is a folder with a run in it; open {}",
+                  path.string(), (path / run).string());
+    }
     return fail(ErrorCode::kUnsupported,
                 "{}: is a folder that holds neither a map nor a flight (no map.toml, flight.toml "
                 "or KITTI files); {}",
                 path.string(), kWhatOpens);
+  }
+  if (!std::ifstream(path)) {
+    return fail(ErrorCode::kIo, "{}: cannot be read: {}", path.string(),
+                std::generic_category().message(errno));
   }
   if (path.filename() == "map.toml") return FileToOpen{FileKind::kMap, path.parent_path()};
   if (path.filename() == "flight.toml") return FileToOpen{FileKind::kFlight, path.parent_path()};

@@ -64,7 +64,7 @@ std::string looks_of_file(const std::filesystem::path& file) {
   constexpr std::size_t kEnough = 512;
   std::string begin(kEnough, '\0');
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) return "not to be read";
+  if (!stream) return "unreadable";
   stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
   begin.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
   if (begin.empty()) return "empty";

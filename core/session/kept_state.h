@@ -26,7 +26,7 @@ struct Standing {
   KeptState kept;
   Playback playback;
   Overlay overlay = Overlay::kNone;
-  std::string followed_run;
+  std::string followed_run, coming_run;
   std::optional<double> wanted_time_s;
   std::map<std::string, MapWish> map_wishes;
 };

@@ -93,7 +93,7 @@ Result<void> Session::Implementation::apply(const Action& action) {
 }
 
 Standing Session::Implementation::standing() const {
-  return {kept, playback, overlay, followed_run, wanted_time_s, map_wishes};
+  return {kept, playback, overlay, followed_run, coming_run, wanted_time_s, map_wishes};
 }
 
 void Session::Implementation::put_back(Standing before) {
@@ -101,6 +101,7 @@ void Session::Implementation::put_back(Standing before) {
   playback = before.playback;
   overlay = before.overlay;
   followed_run = std::move(before.followed_run);
+  coming_run = std::move(before.coming_run);
   wanted_time_s = before.wanted_time_s;
   map_wishes = std::move(before.map_wishes);
 }

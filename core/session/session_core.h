@@ -205,6 +205,10 @@ struct Session::Implementation {
   [[nodiscard]] MapLook fitted(MapLook look, FitTo to) const;
   /// What shows all of a run, or of the map, stays as it is when this run begins, which is small at first.
   [[nodiscard]] std::optional<HeldView> hold_view_for(const std::string& run);
+  /// The map fits itself again, unless somebody has moved it since.
+  void let_go_of_view(const HeldView& held);
+  /// The same where nobody would see a difference.
+  void let_go_of_view_unseen(const HeldView& held);
   /// Has the map show estimate, truth and particles of the moment: moved where they are not in view, nearer where they would be
   /// tiny. It belongs to time, which is not undone.
   void bring_moment_into_view();

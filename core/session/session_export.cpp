@@ -77,6 +77,7 @@ void Session::Implementation::finish_effect(int job, const EffectEnd& end) {
   }
   if (work.opens_result) {
     static_cast<void>(apply(actions::OpenFile{end.made}));  // says itself why not
+    for (const std::string& warning : end.warnings) add_notice(Notice::Kind::kWarning, warning);
     return;
   }
   std::vector<std::string> warnings = work.warnings;

@@ -31,7 +31,7 @@ std::vector<JobStatus> Session::Implementation::jobs() const {
     JobProgress progress{work.fraction, work.activity, 0.0};
     progress.elapsed_s =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - work.began).count();
-    add(work.number, work.title, progress, work.opens_result);
+    add(work.number, work.title, progress, work.opens_result && active() == nullptr);
   }
   std::sort(list.begin(), list.end(),
             [](const JobStatus& a, const JobStatus& b) { return a.number < b.number; });

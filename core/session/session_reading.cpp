@@ -143,10 +143,12 @@ void Session::Implementation::take_run(std::size_t index) {
   OpenRun& run = runs[index];
   Result<ReadRun> read = std::move(*work.reading->outcome());
   work.reading.reset();
-  if (std::exchange(work.is_last_reading, false)) run.is_live = false;
+  const bool is_at_its_end = std::exchange(work.is_last_reading, false);
+  if (is_at_its_end) run.is_live = false;
   if (!read) {
     if (run.document) {  // it was readable before; what is there of it stays
       add_notice(Notice::Kind::kWarning, read.error().message);
+      let_go_of_follow(index);
       return;
     }
     add_notice(Notice::Kind::kError, read.error().message);
@@ -165,6 +167,9 @@ void Session::Implementation::take_run(std::size_t index) {
     }
     settle_time();
     let_go_of_follow(index);
+    if (is_at_its_end && work.held_view) {
+      let_go_of_view_unseen(*std::exchange(work.held_view, std::nullopt));
+    }
     return;
   }
   if (run.document->steps.empty() && !run.is_live) {
@@ -192,7 +197,12 @@ void Session::Implementation::take_run(std::size_t index) {
 }
 
 void Session::Implementation::let_go_of_follow(std::size_t index) {
-  if (!runs[index].is_live && followed_run == runs[index].path) followed_run.clear();
+  if (runs[index].is_live || followed_run != runs[index].path) return;
+  followed_run.clear();
+  const RunDocument* const seen = active_document();
+  const auto back_to_clock_s = std::exchange(works[index].back_to_clock_s, std::nullopt);
+  if (!back_to_clock_s || seen == nullptr || seen != runs[index].document.get()) return;
+  playback.time_s = std::clamp(*back_to_clock_s - seen->start_clock_s, 0.0, seen->duration_s());
 }
 
 void Session::Implementation::drop_run(const std::string& path) {
@@ -203,15 +213,11 @@ void Session::Implementation::drop_run(const std::string& path) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs[i].path == path) held = works[i].held_view;
   }
-  amend([&](KeptState& state) {
+  amend([&path](KeptState& state) {
     take_run_out(state.view, path);
     state.bookmarks.erase(path);
-    MapLook& map_look = state.view.map;
-    if (!held || map_look.width_m != held->width_m) return;
-    if (map_look.centre_in_enu_m != held->centre_in_enu_m) return;
-    map_look.centre_in_enu_m = held->centre_before_in_enu_m;
-    map_look.width_m = 0.0;
   });
+  if (held) let_go_of_view(*held);
   reconcile();
 }
 

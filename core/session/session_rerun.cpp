@@ -199,6 +199,9 @@ Result<void> Session::Implementation::perform(const actions::Rerun& action) {
   }
   // From here: the moment that is studied stays in sight. From the start: watch it go.
   followed_run = action.from == RerunFrom::kCursor ? std::string() : path->string();
+  if (const RunDocument* const studied = active_document(); studied != nullptr) {
+    reruns.back().back_to_clock_s = studied->clock_s(playback.time_s);
+  }
   playback.is_playing = false;
   save_now();
   return {};
@@ -241,7 +244,9 @@ void Session::Implementation::end_rerun(RerunWork& work) {
   const auto found = std::find_if(runs.begin(), runs.end(),
                                   [&](const OpenRun& run) { return run.path == work.run; });
   if (found != runs.end()) {
-    works[static_cast<std::size_t>(found - runs.begin())].is_last_reading_due = true;
+    RunWork& ended = works[static_cast<std::size_t>(found - runs.begin())];
+    ended.is_last_reading_due = true;
+    ended.back_to_clock_s = work.back_to_clock_s;
   }
   const Result<RerunOutcome>& outcome = *std::as_const(work.job).outcome();
   if (!outcome) {

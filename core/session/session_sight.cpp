@@ -182,6 +182,25 @@ std::optional<HeldView> Session::Implementation::hold_view_for(const std::string
   return held;
 }
 
+void Session::Implementation::let_go_of_view(const HeldView& held) {
+  amend([&held](KeptState& state) {
+    MapLook& look = state.view.map;
+    if (look.width_m != held.width_m || look.centre_in_enu_m != held.centre_in_enu_m) return;
+    look.centre_in_enu_m = held.centre_before_in_enu_m;
+    look.width_m = 0.0;
+  });
+}
+
+void Session::Implementation::let_go_of_view_unseen(const HeldView& held) {
+  constexpr double kUnseen = 0.02;  // of the view
+  MapLook look = kept.view.map;
+  look.width_m = 0.0;
+  look = fitted(std::move(look), FitTo::kFlight);
+  const double away_m = (look.centre_in_enu_m - held.centre_in_enu_m).norm();
+  const double wider_m = std::abs(look.width_m - held.width_m);
+  if (std::max(away_m, wider_m) < kUnseen * held.width_m) let_go_of_view(held);
+}
+
 Result<void> Session::Implementation::perform(const actions::Fit& action) {
   MapLook look = resolved_look();
   if (action.to == FitTo::kMap && !(map && map->index)) {
@@ -231,11 +250,18 @@ void Session::Implementation::bring_moment_into_view() {
                                      : look.width_m;
   const bool is_wide_enough = width_m == look.width_m;
   if (is_wide_enough && (look.is_following || shows_all(look, seen, view, map_room))) return;
+  const Eigen::Vector2d centre_in_enu_m = view.centre_for(place.middle_in_enu_m, width_m);
+  if (width_m != kept.view.map.width_m) {  // somebody may want the scale back
+    const KeptState before = kept;
+    kept.view.map.centre_in_enu_m = centre_in_enu_m;
+    kept.view.map.width_m = width_m;
+    settle(before, "Bring the moment into view", "");
+    return;
+  }
   amend([&, before = kept.view.map](KeptState& state) {
     MapLook& now = state.view.map;
     if (now.centre_in_enu_m != before.centre_in_enu_m || now.width_m != before.width_m) return;
-    now.centre_in_enu_m = view.centre_for(place.middle_in_enu_m, width_m);
-    now.width_m = width_m;
+    now.centre_in_enu_m = centre_in_enu_m;
   });
 }
 

@@ -50,12 +50,14 @@ struct HeldView {
 struct RunWork {
   int number = 0;  ///< As a job.
   ReadingJob<ReadRun> reading;
-  std::string flight_path, map_path;       ///< Empty: not known yet, or not there.
-  double since_reading_s = 1e9;            ///< Of a run that grows.
-  bool is_last_reading_due = false;        ///< It has ended and may have grown since it was read.
-  bool is_last_reading = false;            ///< The one that goes on is that.
-  FileState file;                          ///< When its last reading began.
-  double since_look_s = 0.0;               ///< Since the file was compared with that.
+  std::string flight_path, map_path;  ///< Empty: not known yet, or not there.
+  double since_reading_s = 1e9;       ///< Of a run that grows.
+  bool is_last_reading_due = false;   ///< It has ended and may have grown since it was read.
+  bool is_last_reading = false;       ///< The one that goes on is that.
+  std::optional<double>
+      back_to_clock_s;        ///< Moment that was studied before it was watched, when it has ended.
+  FileState file;             ///< When its last reading began.
+  double since_look_s = 0.0;  ///< Since the file was compared with that.
   bool is_opened_again = false;            ///< So file, flight and map are to be looked at anew.
   std::optional<HeldView> held_view = {};  ///< Of one that was made here.
 };
@@ -101,6 +103,7 @@ struct RerunWork {
   Result<std::optional<Prior>> prior;  ///< Of the flight's start; or why nobody knows it.
   Job<RerunProgress, RerunOutcome> job;
   bool is_cancelled = false;
+  std::optional<double> back_to_clock_s = {};  ///< As RunWork's.
 };
 
 /// Small work with one result: a table that is written, a figure whose recipe is read.

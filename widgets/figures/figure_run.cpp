@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mcl/option_effects.h"
 #include "core/run/evaluate_run.h"
 #include "core/run/place_beside.h"
+#include "core/run/run_options.h"
 
 namespace nadir {
 namespace fs = std::filesystem;
@@ -62,11 +64,44 @@ Result<fs::path> find_map_of(const FigureRun& run) {
               run.path.string(), named.string());
 }
 
+namespace {
+
+/// What was set besides the preset: " with temperature 0.05", the options that have an effect.
+std::string changed_words(const RunHeader& header) {
+  const auto preset = run_preset(header.preset);
+  if (!preset) return {};
+  constexpr int kMostNamed = 4;
+  std::string words;
+  int changed = 0;
+  for (const OptionText& option : option_texts(*preset)) {
+    const auto found = header.options.find(option.name);
+    if (found == header.options.end() || found->second == option.value) continue;
+    if (!why_no_effect(option.name, header.options).empty()) continue;
+    if (++changed > kMostNamed) continue;
+    words += fmt::format("{}{} {}", changed == 1 ? " with " : ", ", option.name, found->second);
+  }
+  if (changed > kMostNamed) words += fmt::format(" and {} more", changed - kMostNamed);
+  return words;
+}
+
+}  // namespace
+
+std::string made_words(const RunHeader& header, double start_s) {
+  std::string words =
+      fmt::format("preset {}{}, seed {}", header.preset, changed_words(header), header.seed);
+  if (header.started_at_s) {
+    words += fmt::format(", gone on from {} after {:.1f} s",
+                         fs::path(header.parent_run).filename().string(),
+                         *header.started_at_s - start_s);
+  }
+  return words;
+}
+
 std::string foot_of(const FigureRun& run) {
   const RunEvaluation& evaluation = run.evaluation;
   const RunHeader& header = run.reader->header();
-  std::string text = fmt::format("{} on {}, preset {}, seed {}", header.flight, header.map,
-                                 header.preset, header.seed);
+  std::string text =
+      fmt::format("{} on {}, {}", header.flight, header.map, made_words(header, run.start_s));
   if (!evaluation.is_complete) text += " · stopped before its end";
   for (const std::string& remark : run.remarks) text += " · " + remark;
   if (run.has_truth()) {

@@ -39,7 +39,11 @@ struct FigureRun {
 /// @errors kNotFound: "R.nadir: its map PATH is not there; name one with --map".
 [[nodiscard]] Result<std::filesystem::path> find_map_of(const FigureRun& run);
 
-/// "stopped before its end" where it was, the remarks, "no alignment, 401 matched pairs, 0 steps dropped": what every figure of a run says at its foot.
+/// "preset default with temperature 0.05, seed 7, gone on from run.nadir after 66.5 s": options that differ from the preset's
+/// and have an effect are named, four at most. @param start_s  Of the run's first step, as its header's times.
+[[nodiscard]] std::string made_words(const RunHeader& header, double start_s);
+
+/// How the run was made, "stopped before its end" where it was, the remarks, "no alignment, 401 matched pairs, 0 steps dropped": what every figure of a run says at its foot.
 [[nodiscard]] std::string foot_of(const FigureRun& run);
 
 /// Positions of a run's steps in enu, metres; not finite where not known.

@@ -39,7 +39,7 @@ class FilmEncoder {
 };
 
 /// @param library  Found where the program expects its own libraries: lib/nadir beside bin/, or lib of the build.
-/// @errors kUnsupported: it is not there or is of another build; one sentence that names it.
+/// @errors kUnsupported: it is not there or is no such library; one sentence that names it.
 [[nodiscard]] Result<std::unique_ptr<FilmEncoder>> load_film_encoder(
     const std::string& library = "libnadir_film.so");
 

@@ -98,9 +98,12 @@ std::string copied_words(RunDocuments runs, std::span<const std::string> names) 
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const RunHeader& header = runs[i]->header;
     if (!header.started_at_s || header.parent_run.empty()) continue;
+    const std::filesystem::path folder = runs[i]->path.parent_path(),
+                                parent_run = header.parent_run;
+    const auto named = (folder / parent_run).lexically_normal();
+    const auto beside = folder / parent_run.filename();  // where both were moved
     const auto parent = std::find_if(runs.begin(), runs.end(), [&](const auto& other) {
-      return other != runs[i] &&
-             other->path.filename() == std::filesystem::path(header.parent_run).filename();
+      return other != runs[i] && (other->path == named || other->path == beside);
     });
     const double until_s = *header.started_at_s - runs.front()->start_clock_s;
     if (parent == runs.end() || !(until_s > 0.0)) continue;

@@ -162,7 +162,7 @@ void draw_setting_rows(kit::Ui& ui,
 
 /// Of the list: it does not end within a heading, or right below one.
 double height_without_half_a_heading(const kit::Ui& ui, double height, const SettingsState& state) {
-  if (state.is_scrolled) return height;
+  if (state.is_scrolled || state.content_height <= height) return height;
   for (const double heading : state.headings) {
     if (heading > 0.0 && heading < height && heading + ui.px(kGroupHeading) > height)
       return heading;
@@ -269,6 +269,7 @@ Actions draw_settings_panel(kit::Ui& ui, const SettingsModel& model, SettingsSta
     }
     row = end;
   }
+  state.content_height = ui.room().top - top;
   return asked;
 }
 

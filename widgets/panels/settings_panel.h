@@ -34,6 +34,7 @@ struct SettingsState {
       refused;                   ///< By option: typed and not taken, until it is corrected.
   std::vector<double> headings;  ///< Of groups, from the top of the list, in the last frame.
   bool is_scrolled = false;      ///< The list, in the last frame.
+  double content_height = 0.0;   ///< Of the list, likewise.
 };
 
 /// All options of the next run, and the buttons that start it. One step of undo a drag.

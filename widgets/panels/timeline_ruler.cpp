@@ -70,7 +70,7 @@ void draw_key(const TimelineFrame& frame, Canvas& canvas, const kit::AreaInput& 
     MomentKind kind;
     const char* words;
   };
-  constexpr std::array<Entry, 3> kEntries = {{{MomentKind::kLargestError, "wrong"},
+  constexpr std::array<Entry, 3> kEntries = {{{MomentKind::kLargestError, "worst"},
                                               {MomentKind::kLowAgreement, "doubtful"},
                                               {MomentKind::kFound, "found"}}};
   for (const Entry& entry : kEntries) {

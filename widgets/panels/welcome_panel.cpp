@@ -90,7 +90,7 @@ void draw_choice_words(kit::Ui& ui,
   const auto columns = ui.columns("Choices", {1.0, 1.0, 1.0});
   draw_choice_words(
       ui, kit::Icon::kPlane, "See how it works",
-      "A flight over a small town, made and localised on this computer in about half a minute.");
+      "A flight over a small town, made and localised on this computer in about a minute.");
   {
     const auto pale = ui.disabled(!model.busy.empty(), model.busy);
     if (ui.button("Open the demo", kit::ButtonLook::kPrimary,

@@ -174,6 +174,9 @@ TEST(ControlPoints, ThatDetermineNoImageAreRefusedInOneSentence) {
   }
   EXPECT_TRUE(fit_control_points(line, ControlModel::kSimilarity));
   EXPECT_THAT(refused(line, ControlModel::kAffine), HasSubstr("they lie on a line"));
+  line[1].in_pixels.x() += 0.5;  // clicks along a road, half a pixel off
+  line[2].in_pixels.y() -= 0.5;
+  EXPECT_THAT(refused(line, ControlModel::kAffine), HasSubstr("they lie on a line"));
   Points on_one_spot = clicked(similar_truth(), 4);
   for (ControlPoint& point : on_one_spot) point.in_enu_m = {1.0, 2.0};
   EXPECT_THAT(refused(on_one_spot, ControlModel::kSimilarity), HasSubstr("at one place"));

@@ -196,7 +196,7 @@ TEST(OptionEffects, SayWhatIsInTheWay) {
   EXPECT_EQ(why_no_effect("translation-noise", values), "motion = scaled");
   EXPECT_EQ(why_no_effect("along-noise", values), "");
   EXPECT_EQ(why_no_effect("blur-interval", values), "blur-position = 0 and blur-yaw = 0");
-  EXPECT_EQ(why_no_effect("global-particles", values), "prior = truth of the first frame");
+  EXPECT_EQ(why_no_effect("global-particles", values), "the start is known");
   EXPECT_EQ(why_no_effect("particles", values), "");
   values["blur-yaw"] = "0.1";
   EXPECT_EQ(why_no_effect("blur-interval", values), "");

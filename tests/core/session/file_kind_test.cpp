@@ -96,6 +96,13 @@ TEST(FileToOpen, SaysWhyNot) {
   EXPECT_THAT(error_text(file_to_open(things.in("film.mp4"))), HasSubstr("only PNG and SVG"));
   EXPECT_THAT(error_text(file_to_open(things.in("plain"))),
               HasSubstr("plain: is a folder that holds neither a map"));
+  for (const char* const run : {"made/run.nadir", "made/other.nadir"}) {
+    things.scratch.file(run, std::string("SQLite format 3\0 and so on", 26));
+  }
+  things.scratch.file("made/a.nadir", "this is no run");
+  EXPECT_THAT(
+      error_text(file_to_open(things.in("made"))),
+      HasSubstr("is a folder with a run in it; open " + things.in("made/other.nadir").string()));
   const fs::path large = things.scratch.file("large.toml", std::string(kMostRecipeBytes + 1, '#'));
   EXPECT_THAT(error_text(file_to_open(large)), HasSubstr("is too large for a recipe"));
 }

@@ -117,6 +117,16 @@ TEST_F(SessionFilesTest, SaysSoWhenARunToReopenHasGone) {
   EXPECT_THAT(notice_texts(), Contains(HasSubstr("loop.nadir")));
 }
 
+TEST_F(SessionFilesTest, TellsOfTheDemoInTheMiddleOnlyWhereNothingElseIsSeen) {
+  act("open-demo");
+  ASSERT_THAT(session_->jobs(), SizeIs(1));
+  EXPECT_TRUE(session_->jobs()[0].will_be_shown);
+  act("open " + run_.string());
+  poll_until(*session_, [&] { return session_->active_run()->document != nullptr; });
+  ASSERT_FALSE(session_->jobs().empty());
+  for (const JobStatus& job : session_->jobs()) EXPECT_FALSE(job.will_be_shown) << job.title;
+}
+
 TEST_F(SessionFilesTest, MakesTheDemoOnceAndOpensIt) {
   act("open-demo");
   EXPECT_EQ(refused("open-demo"), "the demo is being made already");

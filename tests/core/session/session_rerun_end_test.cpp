@@ -79,6 +79,36 @@ TEST_F(SessionRerunEndTest, LeavesTheCursorWaitingUntilItsEndIsRead) {
   EXPECT_EQ(session_->playback().time_s, document().duration_s());
 }
 
+TEST_F(SessionRerunEndTest, ComesBackToTheMomentThatWasStudiedUnlessSomebodyHasMoved) {
+  open_run();
+  act("seek 2");
+  const double studied_s = session_->playback().time_s;
+  ask_for_a_quick_run();
+  act("rerun start");
+  settle();
+  ASSERT_EQ(session_->view().active_run, 2);
+  EXPECT_EQ(session_->playback().time_s, studied_s);
+  ask_for_a_slow_run(*session_);
+  act("rerun start");
+  poll_until(*session_, [&] { return session_->view().active_run == 3; });
+  act("seek 0");
+  act("cancel");
+  settle();
+  EXPECT_EQ(session_->playback().time_s, 0.0);
+}
+
+TEST_F(SessionRerunEndTest, LeavesAMapThatFitsItselfToDoSo) {
+  open_run();
+  ASSERT_EQ(session_->view().map.width_m, 0.0) << "nobody has chosen a view";
+  const MapLook seen = session_->resolved_map_look();
+  ask_for_a_quick_run();
+  act("rerun start");
+  settle();
+  ASSERT_EQ(session_->view().active_run, 2);
+  EXPECT_EQ(session_->view().map.width_m, 0.0);
+  EXPECT_NEAR(session_->resolved_map_look().width_m, seen.width_m, 0.02 * seen.width_m);
+}
+
 TEST_F(SessionRerunEndTest, ThatIsClosedGoesOnAndIsOfferedWhenItIsDone) {
   open_run();
   ask_for_a_quick_run();

@@ -83,6 +83,18 @@ TEST_F(SessionRollbackTest, ARerunThatIsRefusedKeepsTheCursorWhereItIsWatched) {
   settle();
 }
 
+TEST_F(SessionRollbackTest, ARerunIsShownWithItsFirstStepThoughSomethingElseFailsMeanwhile) {
+  open_run();
+  ask_for_a_slow_run(*session_);
+  act("rerun start");
+  ASSERT_EQ(session_->view().active_run, 1) << "what is seen stays until there is something else";
+  EXPECT_THAT(refused(open(scratch_.file("late.toml", recipe_that_fails_late()))),
+              HasSubstr("time is not a number"));
+  poll_until(*session_, [&] { return session_->view().active_run == 2; });
+  act("cancel");
+  settle();
+}
+
 TEST_F(SessionRollbackTest, AnUndoThatFailsForOneRunHasNotChangedTheOther) {
   const fs::path second = copy_run("second.nadir");
   open_run();

@@ -106,6 +106,19 @@ TEST_F(SessionSightTest, GoingToAMomentThatWouldBeTinyComesNear) {
   EXPECT_EQ(look(), there) << "what is seen well stays";
 }
 
+TEST_F(SessionSightTest, TheScaleThatAMomentTookCanBeTakenBack) {
+  open_run();
+  act("look 40 30 40000");
+  const MapLook wide = look();
+  act("go worst");
+  const MapLook near = look();
+  ASSERT_LT(near.width_m, 400.0);
+  act("undo");
+  EXPECT_EQ(look(), wide);
+  act("redo");
+  EXPECT_EQ(look(), near);
+}
+
 TEST_F(SessionSightTest, GoingToAMomentShowsAllOfItsParticles) {
   RerunTask task = SmallWorld::get().task(scratch_.path() / "lost.nadir");
   task.prior = GlobalPrior{};

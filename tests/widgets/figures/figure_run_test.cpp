@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/run/run_options.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/widgets/figures/recorded_flight.h"
 #include "widgets/figures/run_lines.h"
@@ -41,6 +42,29 @@ TEST_F(OpenedRun, SaysInItsFootWhetherItWasStoppedBeforeItsEnd) {
   EXPECT_THAT(foot_of(killed),
               HasSubstr(fmt::format("position RMSE {:.2f} m",
                                     killed.evaluation.estimate->position_m.root_mean_square)));
+}
+
+TEST(MadeWords, TellWhatWasSetBesideThePreset) {
+  RunHeader header;
+  header.preset = "default";
+  header.seed = 7;
+  for (const OptionText& option : option_texts(*run_preset("default"))) {
+    header.options[option.name] = option.value;
+  }
+  EXPECT_EQ(made_words(header, 100.0), "preset default, seed 7");
+  header.options["temperature"] = "0.05";
+  header.options["translation-noise"] = "9";  // no effect while motion = scaled
+  EXPECT_EQ(made_words(header, 100.0), "preset default with temperature 0.05, seed 7");
+  header.parent_run = "flights/run.nadir";
+  header.started_at_s = 166.5;
+  EXPECT_EQ(made_words(header, 100.0),
+            "preset default with temperature 0.05, seed 7, gone on from run.nadir after 66.5 s");
+  for (const char* const name : {"particles", "min-particles", "max-cells", "min-votes"}) {
+    header.options[name] = "17";
+  }
+  EXPECT_THAT(made_words(header, 100.0), HasSubstr(" and 1 more, seed 7"));
+  header.preset = "of-another-version";
+  EXPECT_THAT(made_words(header, 100.0), HasSubstr("preset of-another-version, seed 7"));
 }
 
 TEST_F(OpenedRun, IsSaidToBeStoppedAlsoWhereTheFootNamesOnlyTheFirstRuns) {

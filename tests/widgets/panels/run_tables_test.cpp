@@ -66,12 +66,22 @@ TEST(RunTables, OfRunsThatShareNoTimeMarkNone) {
 
 TEST(RunTables, TellThatARunWentOnFromTheOther) {
   RunsModel model = two_runs();
-  RunDocument child = made_run(200);
+  RunDocument parent = made_run(200), child = made_run(200);
+  parent.path = "/runs/made.nadir";
+  model.rows[0].document = RunDocument::from_steps(parent);
   child.path = "/runs/wild.nadir";
   child.header.parent_run = "/old/place/made.nadir";
   child.header.started_at_s = 108.0;
   model.rows[1].document = RunDocument::from_steps(child);
   EXPECT_TRUE(ShownRuns(model).screen.shows("Up to 00:08.0 wild has its steps from calm"));
+  for (const char* const named : {"made.nadir", "../runs/made.nadir", "/runs/made.nadir"}) {
+    child.header.parent_run = named;
+    model.rows[1].document = RunDocument::from_steps(child);
+    EXPECT_TRUE(ShownRuns(model).screen.shows("wild has its steps from calm")) << named;
+  }
+  parent.path = "/others/made.nadir";  // of the same name, but another
+  model.rows[0].document = RunDocument::from_steps(parent);
+  EXPECT_FALSE(ShownRuns(model).screen.shows("has its steps from"));
   child.header.parent_run = "/runs/closed.nadir";
   model.rows[1].document = RunDocument::from_steps(child);
   EXPECT_FALSE(ShownRuns(model).screen.shows("has its steps from"));

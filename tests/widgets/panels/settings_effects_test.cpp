@@ -87,7 +87,7 @@ TEST(SettingRows, GlobalParticlesCountWhereTheRunBeginsAnywhere) {
   };
   EXPECT_EQ(why(""), "") << "nobody knows";
   EXPECT_EQ(why("global"), "");
-  EXPECT_EQ(why("truth of the first frame"), "prior = truth of the first frame");
+  EXPECT_EQ(why("truth of the first frame"), "the start is known");
 }
 
 }  // namespace settings_effects_test

@@ -60,7 +60,7 @@ TEST_F(SettingsModelTest, KnowsHowARunFromItsStartBegins) {
   const auto row = std::find_if(model.rows.begin(), model.rows.end(), [](const SettingRow& one) {
     return one.name == "global-particles";
   });
-  EXPECT_EQ(row->no_effect, "prior = truth of the first frame");
+  EXPECT_EQ(row->no_effect, "the start is known");
 }
 
 }  // namespace settings_model_test
