@@ -12,6 +12,20 @@ set(NADIR_PRIVATE_HEADERS
   core/flight/kitti_raw_text.h
   core/flight/text_fields.h
   core/geo/number_lines.h
+  core/label/byte_reader.h
+  core/label/cell_fill.h
+  core/label/label_blobs.h
+  core/label/label_connection.h
+  core/label/label_database.h
+  core/label/label_journal.h
+  core/label/label_lock.h
+  core/label/label_schema.h
+  core/label/label_store_core.h
+  core/label/label_sync.h
+  core/label/label_tables.h
+  core/label/row_walk.h
+  core/label/spatial_functions.h
+  core/label/tile_painter.h
   core/map/class_images.h
   core/map/crs.h
   core/map/gdal_raster.h

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/label/label_store_core.h"
+
+#include <fmt/chrono.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+
+#include "core/base/require.h"
+
+namespace nadir {
+
+std::string label_time_now() {
+  const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+}
+
+LabelStore::Implementation::Implementation(std::filesystem::path where,
+                                           std::string who,
+                                           LabelConnection opened,
+                                           LabelDocument empty)
+    : path(std::move(where)),
+      author(std::move(who)),
+      connection(std::move(opened)),
+      document(std::move(empty)) {}
+
+Result<void> LabelStore::Implementation::check_writable() const {
+  NADIR_REQUIRE(!is_closed);
+  if (why_read_only.empty()) return {};
+  return fail(ErrorCode::kInvalidOptions, "{}", why_read_only);
+}
+
+Result<void> LabelStore::Implementation::read_all() {
+  auto transaction = LabelTransaction::begin(database(), "BEGIN");
+  if (!transaction) return forward_error(transaction);
+  const auto contents = read_contents(database(), document);
+  if (!contents) return forward_error(contents);
+  notices.insert(notices.end(), contents->notices.begin(), contents->notices.end());
+  if (!contents->is_whole) {
+    take_as_damaged();
+    return {};
+  }
+  const auto at = read_head(database());
+  if (!at) return forward_error(at);
+  auto undone = read_step(database(), *at);
+  if (!undone) return forward_error(undone);
+  auto redone = youngest_after(database(), *at);
+  if (!redone) return forward_error(redone);
+  const auto version = database().whole("PRAGMA data_version");
+  if (!version) return forward_error(version);
+  head = *at;
+  undo_step = std::move(*undone);
+  redo_step = std::move(*redone);
+  data_version = *version;
+  return {};
+}
+
+void LabelStore::Implementation::take_as_damaged() {
+  if (is_damaged) return;
+  is_damaged = true;
+  why_read_only = fmt::format("{}: is damaged, so what could be read of it was opened for reading",
+                              path.string());
+  notices.push_back(why_read_only);
+  undo_step.reset();
+  redo_step.reset();
+}
+
+Result<void> LabelStore::Implementation::commit(const LabelEdit& edit) {
+  if (auto fits = document.check(edit); !fits) return fits;
+  return add(edit, {});
+}
+
+Result<void> LabelStore::Implementation::prepare_writing() {
+  if (has_written) return {};
+  const auto before = database().whole("PRAGMA data_version");
+  if (!before) return forward_error(before);
+  static_cast<void>(database().execute("PRAGMA journal_mode = WAL"));
+  static_cast<void>(database().execute("PRAGMA synchronous = NORMAL"));
+  static_cast<void>(database().execute("PRAGMA wal_autocheckpoint = 0"));
+  const auto after = database().whole("PRAGMA data_version");
+  if (!after) return forward_error(after);
+  // Changing the mode counts as a change by somebody else.
+  if (*before == data_version) data_version = *after;
+  has_written = true;
+  sync = std::make_unique<LabelSync>(path);
+  return {};
+}
+
+Result<void> LabelStore::Implementation::write(bool expects_own,
+                                               const std::function<Result<void>()>& change) {
+  if (auto prepared = prepare_writing(); !prepared) return prepared;
+  auto transaction = LabelTransaction::begin(database(), "BEGIN IMMEDIATE");
+  if (!transaction) return forward_error(transaction);
+  const auto version = database().whole("PRAGMA data_version");
+  if (!version) return forward_error(version);
+  if (expects_own && *version != data_version) {
+    return fail(ErrorCode::kInvalidOptions,
+                "{}: another program has changed it; take its changes over first", path.string());
+  }
+  if (auto changed = change(); !changed) return changed;
+  if (auto committed = transaction->commit(); !committed) return committed;
+  sync->note_commit();
+  return {};
+}
+
+Result<void> LabelStore::Implementation::add(
+    const LabelEdit& edit, const std::vector<std::pair<ObjectKind, ObjectId>>& strays) {
+  LabelStep step{0, head, label_time_now(), author, edit.title};
+  auto written = write(true, [&]() -> Result<void> {
+    for (const auto& [kind, id] : strays) {
+      if (auto removed = remove_row(database(), kind, id); !removed) return removed;
+    }
+    if (auto changed = write_edit(database(), edit); !changed) return changed;
+    const auto number = add_step(database(), step, edit);
+    if (!number) return forward_error(number);
+    step.number = *number;
+    return write_head(database(), step.number);
+  });
+  if (!written) return written;
+  document.apply(edit);
+  head = step.number;
+  undo_step = std::move(step);
+  redo_step.reset();
+  return {};
+}
+
+Result<LabelEdit> LabelStore::Implementation::go(const LabelStep& step, StepDirection direction) {
+  auto edit = edit_of_step(database(), step, direction, document);
+  if (!edit) return forward_error(edit, path.string());
+  if (auto fits = document.check(*edit); !fits) return forward_error(fits, path.string());
+  const std::int64_t to = direction == StepDirection::kUndo ? step.parent : step.number;
+  std::optional<LabelStep> undone, redone;
+  auto written = write(true, [&]() -> Result<void> {
+    if (auto changed = write_edit(database(), *edit); !changed) return changed;
+    auto before = read_step(database(), to);
+    if (!before) return forward_error(before);
+    auto after = youngest_after(database(), to);
+    if (!after) return forward_error(after);
+    undone = std::move(*before);
+    redone = std::move(*after);
+    return write_head(database(), to);
+  });
+  if (!written) return forward_error(written);
+  document.apply(*edit);
+  head = to;
+  undo_step = std::move(undone);
+  redo_step = std::move(redone);
+  return edit;
+}
+
+Result<void> LabelStore::Implementation::go_to(std::int64_t number) {
+  std::vector<LabelStep> way;  // From the step wanted up to the beginning.
+  for (std::int64_t at = number; at != 0; at = way.back().parent) {
+    auto step = read_step(database(), at);
+    if (!step) return forward_error(step);
+    // Parents are older than what follows them; where they are not, the way up has no end.
+    if (!*step || (*step)->parent >= at || (*step)->parent < 0) {
+      return fail(way.empty() ? ErrorCode::kInvalidOptions : ErrorCode::kMalformed,
+                  "{}: its history has no step {}", path.string(), at);
+    }
+    way.push_back(std::move(**step));
+  }
+  const auto is_on_way = [&](std::int64_t step) {
+    return step == 0 || std::any_of(way.begin(), way.end(),
+                                    [&](const LabelStep& one) { return one.number == step; });
+  };
+  while (!is_on_way(head)) {
+    NADIR_REQUIRE(undo_step.has_value());
+    if (auto gone = go(LabelStep(*undo_step), StepDirection::kUndo); !gone)
+      return forward_error(gone);
+  }
+  for (auto step = way.rbegin(); step != way.rend(); ++step) {
+    if (step->number <= head) continue;
+    if (auto gone = go(*step, StepDirection::kRedo); !gone) return forward_error(gone);
+  }
+  return {};
+}
+
+Result<ForeignChanges> LabelStore::Implementation::find_foreign() {
+  auto transaction = LabelTransaction::begin(database(), "BEGIN");
+  if (!transaction) return forward_error(transaction);
+  auto changes = find_foreign_changes(database(), document, !is_damaged);
+  if (!changes) return changes;
+  const auto version = database().whole("PRAGMA data_version");
+  if (!version) return forward_error(version);
+  data_version = *version;
+  return changes;
+}
+
+Result<LabelEdit> LabelStore::Implementation::take_foreign() {
+  auto found = find_foreign();
+  if (!found) return forward_error(found);
+  notices.insert(notices.end(), found->notices.begin(), found->notices.end());
+  if (!found->is_whole) take_as_damaged();
+  if (found->edit.empty()) return std::move(found->edit);
+  if (!why_read_only.empty()) {
+    document.apply(found->edit);
+  } else if (auto added = add(found->edit, found->strays); !added) {
+    return forward_error(added);
+  }
+  return std::move(found->edit);
+}
+
+Result<void> LabelStore::Implementation::close() {
+  if (is_closed) return {};
+  is_closed = true;
+  Result<void> closed;
+  if (has_written) {
+    closed = write(false, [&] { return write_layer_facts(database(), document); });
+    sync.reset();
+    if (closed) closed = make_single_file();
+  }
+  lock.reset();
+  return closed;
+}
+
+Result<void> LabelStore::Implementation::make_single_file() {
+  auto mode = database().prepare("PRAGMA journal_mode = DELETE");
+  if (!mode) return forward_error(mode);
+  const auto row = mode->next();
+  if (!row) return forward_error(row);
+  if (*row && mode->text(0) == "delete") return {};
+  return fail(ErrorCode::kIo, "{}: another program has it open, so its last changes stay in {}-wal",
+              path.string(), path.filename().string());
+}
+
+}  // namespace nadir

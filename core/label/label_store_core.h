@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/label/label_connection.h"
+#include "core/label/label_journal.h"
+#include "core/label/label_lock.h"
+#include "core/label/label_store.h"
+#include "core/label/label_sync.h"
+#include "core/label/label_tables.h"
+
+namespace nadir {
+
+/// All of a labelling document in its file. Private to this module. What changes both changes the file first, and then the
+/// document in a way that cannot fail.
+struct LabelStore::Implementation {
+  Implementation(std::filesystem::path where,
+                 std::string who,
+                 LabelConnection opened,
+                 LabelDocument empty);
+
+  std::filesystem::path path;
+  std::string author;
+  std::optional<LabelLock> lock;  ///< Goes after the database.
+  LabelConnection connection;
+  LabelDocument document;
+  std::string why_read_only;
+  std::vector<std::string> notices;
+  std::optional<LabelStep> undo_step, redo_step;
+  std::int64_t head = 0;          ///< The step that the document stands at.
+  std::int64_t data_version = 0;  ///< Of what was read; changes when another program writes.
+  bool has_written = false;
+  std::unique_ptr<LabelSync> sync;  ///< From the first write on.
+  bool is_damaged = false;
+  bool is_closed = false;
+
+  [[nodiscard]] const LabelDatabase& database() const { return connection.database(); }
+  [[nodiscard]] Result<void> check_writable() const;
+  [[nodiscard]] Result<void> read_all();
+  [[nodiscard]] Result<void> commit(const LabelEdit& edit);
+  [[nodiscard]] Result<LabelEdit> go(const LabelStep& step, StepDirection direction);
+  /// Over as many steps as it takes, each by itself. @param number  0: the empty document.
+  [[nodiscard]] Result<void> go_to(std::int64_t number);
+  [[nodiscard]] Result<LabelEdit> take_foreign();
+  [[nodiscard]] Result<void> close();
+
+ private:
+  /// From now on it is only read, and has no history.
+  void take_as_damaged();
+  /// With the first write the file keeps its changes in a second one, so that a commit waits for no disk: the system has
+  /// them as soon as it returns. Where another program has the file open that may fail, and commits are slower.
+  [[nodiscard]] Result<void> prepare_writing();
+  /// Changes the tables, or leaves them as they were. @errors kInvalidOptions: `expects_own`, and another program has
+  /// written since the tables were read; those of `change`.
+  [[nodiscard]] Result<void> write(bool expects_own, const std::function<Result<void>()>& change);
+  /// An edit that fits becomes the youngest step.
+  [[nodiscard]] Result<void> add(const LabelEdit& edit,
+                                 const std::vector<std::pair<ObjectKind, ObjectId>>& strays);
+  /// What the tables have that the document has not. Within a transaction of its own.
+  [[nodiscard]] Result<ForeignChanges> find_foreign();
+  [[nodiscard]] Result<void> make_single_file();
+};
+
+/// Now, UTC, ISO 8601.
+[[nodiscard]] std::string label_time_now();
+
+}  // namespace nadir
