@@ -152,7 +152,7 @@ TEST(Film, EndsAtItsEndAndNotByRoundingBehindIt) {
 TEST(FilmEncoder, IsALibraryOfItsOwnAndSaysWhereItIsMissing) {
   EXPECT_TRUE(load_film_encoder());
   EXPECT_THAT(error_text(load_film_encoder("libnadir_no_film.so")),
-              AllOf(HasSubstr("libnadir_no_film.so: films cannot be encoded: "),
+              AllOf(HasSubstr("films cannot be encoded: libnadir_no_film.so: "),
                     HasSubstr("No such file")));
   EXPECT_THAT(error_text(load_film_encoder("libm.so.6")),  // there, but none of ours
               HasSubstr("nadir_make_film_encoder"));
