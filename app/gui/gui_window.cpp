@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "widgets/panels/about_overlay.h"
+#include "widgets/panels/map_cards.h"
 #include "widgets/panels/shortcuts.h"
 #include "widgets/panels/welcome_panel.h"
 
@@ -53,9 +54,7 @@ void GuiWindow::frame(kit::Ui& ui, double elapsed_s) {
   // tools.
   kit::Rect beside = is_overlay_open ? ui.screen() : places.map;
   if (!is_overlay_open && !is_empty()) {
-    const double tools = map_.room.left * beside.width;
-    beside.left += tools;
-    beside.width -= tools;
+    beside = beside_map_tools(ui, beside);
     beside.height -= map_.legend_height_px;
   }
   join(asked, draw_notices(ui, notices_model(session_), notices_, beside));

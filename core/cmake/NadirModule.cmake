@@ -33,6 +33,13 @@ function(nadir_plain_if_united target)
   endif()
 endfunction()
 
+# Sanitizers see code that computes little as it was written, which compiles in two fifths of the time.
+function(nadir_plain_if_sanitized target)
+  if(NADIR_SANITIZE)
+    target_compile_options(${target} PRIVATE -O0)
+  endif()
+endfunction()
+
 function(nadir_warnings target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geo/control_points.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <cmath>
 #include <numeric>
 
@@ -34,34 +35,49 @@ Result<Affine2> fit_similarity(std::span<const ControlPoint> points) {
   return fit;
 }
 
+/// Points about their mean, so that coordinates of hundreds of kilometres cost no digits.
+struct Centred {
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  std::vector<Eigen::Vector2d> points;
+};
+
+Centred centred(std::span<const ControlPoint> points, Eigen::Vector2d ControlPoint::*which) {
+  Centred result;
+  for (const ControlPoint& point : points) result.mean += point.*which;
+  result.mean /= static_cast<double>(points.size());
+  for (const ControlPoint& point : points) result.points.emplace_back(point.*which - result.mean);
+  return result;
+}
+
+/// Sum of the outer products of points that belong together.
+Eigen::Matrix2d products(const Centred& a, const Centred& b) {
+  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+  for (std::size_t i = 0; i < a.points.size(); ++i) sum += a.points[i] * b.points[i].transpose();
+  return sum;
+}
+
 /// Whether clicks, which are some pixels off, do not tell how far points are from one line.
-bool are_on_a_line(const Eigen::Matrix2Xd& points) {
+bool are_on_a_line(const Eigen::Matrix2d& squares) {
   constexpr double kThinnest = 0.01;  // of their length
-  const Eigen::Matrix2Xd apart = points.colwise() - points.rowwise().mean();
-  const Eigen::Vector2d lengths = apart.jacobiSvd().singularValues();
-  return !(lengths(1) > kThinnest * lengths(0));
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+  axes.computeDirect(squares, Eigen::EigenvaluesOnly);
+  return !(axes.eigenvalues()(0) > kThinnest * kThinnest * axes.eigenvalues()(1));
 }
 
 Result<Affine2> fit_affine(std::span<const ControlPoint> points) {
-  const auto count = static_cast<Eigen::Index>(points.size());
-  Eigen::Matrix2Xd from(2, count), to(2, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    from.col(i) = points[static_cast<std::size_t>(i)].in_pixels;
-    to.col(i) = points[static_cast<std::size_t>(i)].in_enu_m;
-  }
-  if (are_on_a_line(from) || are_on_a_line(to)) {
+  const Centred from = centred(points, &ControlPoint::in_pixels);
+  const Centred to = centred(points, &ControlPoint::in_enu_m);
+  const Eigen::Matrix2d squares = products(from, from);
+  if (are_on_a_line(squares) || are_on_a_line(products(to, to))) {
     return fail(
         ErrorCode::kMalformed,
         "control points: they lie on a line, which leaves an affine fit open across it; add "
         "one beside it or fit a similarity");
   }
-  // About their means, so that coordinates of hundreds of kilometres cost no digits.
-  const Eigen::Vector2d mean_from = from.rowwise().mean(), mean_to = to.rowwise().mean();
-  const Eigen::Matrix2Xd apart_from = from.colwise() - mean_from;
-  const Eigen::Matrix2Xd apart_to = to.colwise() - mean_to;
+  // Normal equations, which points that are on no line leave well conditioned.
   Affine2 fit;
-  fit.linear = apart_from.transpose().colPivHouseholderQr().solve(apart_to.transpose()).transpose();
-  fit.offset = mean_to - fit.linear * mean_from;
+  fit.linear = products(to, from) * squares.inverse();
+  fit.offset = to.mean - fit.linear * from.mean;
   return fit;
 }
 

@@ -43,7 +43,10 @@ std::optional<double> number_of(std::string_view text) {
 
 /// How an option is, for people: "motion = scaled".
 std::string as_it_is(std::string_view option, const std::string& value) {
-  if (option == "prior") return "the start is known";
+  if (option == "prior") {
+    return value.starts_with(kGoesOnPrior) ? "the run goes on with recorded particles"
+                                           : "the start is known";
+  }
   if (value == "false") return std::string(option) + " is off";
   if (value == "true") return std::string(option) + " is on";
   return std::string(option) + " = " + value;

@@ -12,6 +12,9 @@ namespace nadir {
 /// What a condition asks of a number.
 inline constexpr std::string_view kAboveZero = "> 0";
 
+/// How the value of "prior" begins for a run that goes on from a step of another one.
+inline constexpr std::string_view kGoesOnPrior = "particles of step";
+
 /// Another option has to be so.
 struct EffectCondition {
   std::string_view option;  ///< Empty: no condition.

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "core/base/progress.h"
+#include "core/base/sqlite_database.h"
 #include "core/run/run_file.h"
-#include "core/run/sqlite_database.h"
 
 namespace nadir::detail {
 

@@ -13,10 +13,11 @@
 #include <system_error>
 
 #include "core/base/bystanders.h"
+#include "core/base/sqlite_database.h"
+#include "core/run/run_database.h"
 #include "core/run/run_file.h"
 #include "core/run/run_lock.h"
 #include "core/run/run_schema.h"
-#include "core/run/sqlite_database.h"
 
 namespace nadir::detail {
 namespace fs = std::filesystem;
@@ -83,7 +84,7 @@ Result<void> check_is_run(const fs::path& path) {
 /// Takes back the half step that a killed writer left, where that can be done.
 void recover(const fs::path& path) {
   if (!is_taken(journal_of(path))) return;
-  const auto database = SqliteDatabase::open(path, path.string(), SqliteAccess::kReadAndRecover);
+  const auto database = open_run_database(path, path.string(), SqliteAccess::kWrite);
   if (database) static_cast<void>(database->whole("SELECT count(*) FROM sqlite_schema"));
 }
 

@@ -1,43 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/run/run_blobs.h"
 
-#include <zstd.h>
-
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <memory>
 
 #include "core/base/require.h"
+#include "core/base/zstd.h"
 
 namespace nadir::detail {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "run files hold little-endian arrays");
 
-constexpr int kCompressionLevel = 1;
 constexpr std::int64_t kMostElements = 10'000'000;
 constexpr std::size_t kParticleBytes = 4 * sizeof(float);
 constexpr std::size_t kCellBytes = 2 * sizeof(std::int16_t) + 1;
-
-/// With a checksum, so that flipped bits are found.
-Result<Bytes> compress(const Bytes& raw) {
-  struct Freed {
-    void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
-  };
-  const std::unique_ptr<ZSTD_CCtx, Freed> context(ZSTD_createCCtx());
-  NADIR_REQUIRE(context != nullptr);
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kCompressionLevel);
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
-  Bytes packed(ZSTD_compressBound(raw.size()));
-  const std::size_t size =
-      ZSTD_compress2(context.get(), packed.data(), packed.size(), raw.data(), raw.size());
-  if (ZSTD_isError(size) != 0U) {
-    return fail(ErrorCode::kIo, "cannot be compressed ({})", ZSTD_getErrorName(size));
-  }
-  packed.resize(size);
-  return packed;
-}
 
 // What a blob may hold is checked on both sides, so that what was written can be read.
 
@@ -88,16 +66,13 @@ Result<Bytes> decompress(std::span<const std::uint8_t> packed,
                          std::int64_t count,
                          std::size_t element_bytes) {
   if (const auto checked = check_count(count); !checked) return forward_error(checked);
-  const std::size_t expected = static_cast<std::size_t>(count) * element_bytes;
-  if (ZSTD_getFrameContentSize(packed.data(), packed.size()) != expected) {
+  const std::uint64_t expected = static_cast<std::uint64_t>(count) * element_bytes;
+  if (zstd_content_bytes(packed) != expected) {
     return fail(ErrorCode::kMalformed, "its data do not hold {} elements", count);
   }
-  Bytes raw(expected);
-  const std::size_t size = ZSTD_decompress(raw.data(), raw.size(), packed.data(), packed.size());
-  if (ZSTD_isError(size) != 0U || size != expected) {
-    return fail(ErrorCode::kMalformed, "its data cannot be unpacked");
-  }
-  return raw;
+  auto raw = zstd_unpacked(packed, expected);
+  if (!raw) return fail(ErrorCode::kMalformed, "its data cannot be unpacked");
+  return std::move(*raw);
 }
 
 template <typename Element>
@@ -134,7 +109,7 @@ Result<Bytes> encode_particles(const ParticleSet& particles, const Rigid2& estim
     put(raw, 3 * n + i, particle.weight);
   }
   if (const auto sum = check.end(); !sum) return forward_error(sum);
-  return compress(raw);
+  return zstd_packed(raw);
 }
 
 Result<ParticleSet> decode_particles(std::span<const std::uint8_t> blob,
@@ -183,7 +158,7 @@ Result<Bytes> encode_topview(const SemanticTopview& topview) {
       raw[4 * n + i] = static_cast<std::uint8_t>(id);
     }
   }
-  return compress(raw);
+  return zstd_packed(raw);
 }
 
 Result<SemanticTopview> decode_topview(std::span<const std::uint8_t> blob,

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/run/run_database.h"
 #include "core/run/run_schema.h"
 
 namespace nadir::detail {
@@ -71,7 +72,7 @@ Result<RunConnection> RunConnection::open(const fs::path& path) {
   if (fs::is_regular_file(status) && fs::file_size(path, error) == 0) {
     return fail(ErrorCode::kMalformed, "{}: is empty", name);
   }
-  auto database = SqliteDatabase::open(path, name, SqliteAccess::kRead);
+  auto database = open_run_database(path, name, SqliteAccess::kRead);
   if (!database) return forward_error(database);
   RunConnection connection(path, std::move(*database));
   const auto checked = connection.read([&](const SqliteDatabase& opened) -> Result<void> {
@@ -102,11 +103,11 @@ Result<SqliteTransaction> RunConnection::begin() {
 Result<void> RunConnection::recover() {
   const std::string name = path_.string();
   bool is_recovered = false;
-  if (const auto writable = SqliteDatabase::open(path_, name, SqliteAccess::kReadAndRecover)) {
+  if (const auto writable = open_run_database(path_, name, SqliteAccess::kWrite)) {
     is_recovered = writable->whole(kTouch).has_value();
   }
   if (!is_recovered) return recover_a_copy();
-  auto reopened = SqliteDatabase::open(path_, name, SqliteAccess::kRead);
+  auto reopened = open_run_database(path_, name, SqliteAccess::kRead);
   if (!reopened) return forward_error(reopened);
   database_ = std::move(*reopened);
   return {};
@@ -134,7 +135,7 @@ Result<void> RunConnection::recover_a_copy() {
     return fail(ErrorCode::kIo, "{}: its writer was killed, and a copy cannot be repaired: {}",
                 name, error.message());
   }
-  auto repaired = SqliteDatabase::open(copied, name, SqliteAccess::kReadAndRecover);
+  auto repaired = open_run_database(copied, name, SqliteAccess::kWrite);
   if (!repaired) return forward_error(repaired);
   if (const auto touched = repaired->whole(kTouch); !touched) return forward_error(touched);
   database_ = std::move(*repaired);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/run/sqlite_database.h"
+#include "core/base/sqlite_database.h"
 
 namespace nadir::detail {
 

@@ -40,7 +40,16 @@ Result<void> write_about(const SqliteDatabase& database, const RunHeader& header
   return {};
 }
 
+constexpr SqliteFileKind kRunFile{
+    .if_not_one = "is not a run file", .patience_ms = 10'000, .most_value_bytes = 256 << 20};
+
 }  // namespace
+
+Result<SqliteDatabase> open_run_database(const fs::path& path,
+                                         const std::string& name,
+                                         SqliteAccess access) {
+  return SqliteDatabase::open(path, name, kRunFile, access);
+}
 
 Result<void> check_header(const RunHeader& header, const std::string& name) {
   if (header.started_at_s && !std::isfinite(*header.started_at_s)) {
@@ -63,7 +72,7 @@ Result<SqliteDatabase> create_run_database(const fs::path& path, const RunHeader
   std::error_code error;
   fs::remove(journal_of(path), error);
   if (error) return fail(ErrorCode::kIo, "{}: {}", path.string(), error.message());
-  auto database = SqliteDatabase::open(path, path.string(), SqliteAccess::kCreate);
+  auto database = open_run_database(path, path.string(), SqliteAccess::kCreate);
   if (!database) return database;
   for (const char* pragma : {"PRAGMA journal_mode = DELETE", "PRAGMA synchronous = OFF"}) {
     if (const auto set = database->execute(pragma); !set) return forward_error(set);

@@ -5,10 +5,15 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/base/sqlite_database.h"
 #include "core/run/run_file.h"
-#include "core/run/sqlite_database.h"
 
 namespace nadir::detail {
+
+/// A run file as any database, unread. @param name  Stands for the file in messages.
+[[nodiscard]] Result<SqliteDatabase> open_run_database(const std::filesystem::path& path,
+                                                       const std::string& name,
+                                                       SqliteAccess access);
 
 /// @param name  Stands for the file in messages.
 /// @errors kMalformed: the origin of the plane is no place on Earth or the time at which the

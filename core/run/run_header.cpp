@@ -5,6 +5,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/version.h"
+#include "core/mcl/option_effects.h"
 #include "core/run/localise_flight.h"
 #include "core/run/run_prior.h"
 
@@ -19,7 +20,7 @@ void add_pose(Hash& hash, const Rigid3& pose) {
 /// The start as text, so that the run can be made again.
 std::string start_text(const LocaliseRequest& request) {
   if (const auto& resumed = request.resume_after) {
-    return fmt::format("particles of step {} of {}", resumed->after.step, resumed->run);
+    return fmt::format("{} {} of {}", kGoesOnPrior, resumed->after.step, resumed->run);
   }
   return prior_text(request.prior);
 }

@@ -14,9 +14,6 @@
 namespace nadir {
 using detail::RunConnection;
 using detail::RunRow;
-using detail::SqliteDatabase;
-using detail::SqliteStatement;
-using detail::SqliteTransaction;
 
 namespace {
 

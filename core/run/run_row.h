@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "core/base/sqlite_database.h"
 #include "core/mcl/pose_estimate.h"
 #include "core/run/run_limits.h"
-#include "core/run/sqlite_database.h"
 
 namespace nadir::detail {
 

@@ -11,16 +11,11 @@
 #include "core/run/run_limits.h"
 #include "core/run/run_lock.h"
 #include "core/run/run_schema.h"
-#include "core/run/sqlite_database.h"
 
 namespace nadir {
 namespace fs = std::filesystem;
 using detail::EarlierRun;
 using detail::RunLock;
-using detail::SqliteAccess;
-using detail::SqliteDatabase;
-using detail::SqliteStatement;
-using detail::SqliteTransaction;
 
 namespace {
 

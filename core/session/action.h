@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -83,13 +84,19 @@ using AnyAction = std::variant<actions::OpenFile,
                                actions::Undo,
                                actions::Redo>;
 
+template <typename One, typename Any>
+inline constexpr bool kIsOneOf = false;
+template <typename One, typename... Kinds>
+inline constexpr bool kIsOneOf<One, std::variant<Kinds...>> = (std::is_same_v<One, Kinds> || ...);
+template <typename One>
+concept OneOfActions = kIsOneOf<One, AnyAction>;
+
 /// One thing that a user asked for. A class of its own, so that copying and destroying five dozen kinds is compiled in one
 /// place; std::visit, std::get_if and std::holds_alternative take it as the variant that it is.
 class Action : public AnyAction {
  public:
   Action() = default;
-  template <typename One>
-  requires requires { One::kForm; }
+  template <OneOfActions One>
   Action(One one)  // NOLINT(google-explicit-constructor): an action is one of its kinds
       : AnyAction(std::in_place_type<One>, std::move(one)) {}
   Action(const Action& other);

@@ -26,7 +26,8 @@ struct Standing {
   KeptState kept;
   Playback playback;
   Overlay overlay = Overlay::kNone;
-  std::string followed_run, coming_run;
+  std::string followed_run;
+  std::optional<ComingRun> coming;
   std::optional<double> wanted_time_s;
   std::map<std::string, MapWish> map_wishes;
 };

@@ -9,6 +9,7 @@
 
 #include "core/base/angle.h"
 #include "core/eval/consistency.h"
+#include "core/session/moment_explanation.h"
 #include "core/session/run_document.h"
 
 namespace nadir::detail {
@@ -34,6 +35,14 @@ BoundRatios bound_ratios(const RunDocument& run, std::size_t step, std::size_t e
     ratios.heading = std::abs(run.errors.yaw_error_rad[error]) / (sigma * std::sqrt(limit_1));
   }
   return ratios;
+}
+
+bool is_estimate_near_truth(const RunDocument& run, std::size_t step) {
+  const auto error = run.error_index_of(step);
+  if (!error) return false;
+  const ExplanationRules rules;
+  return run.errors.position_error_m[*error] <= rules.near_m &&
+         Angle::radians(std::abs(run.errors.yaw_error_rad[*error])).degrees() <= rules.near_deg;
 }
 
 }  // namespace
@@ -72,7 +81,8 @@ WorstMoment moment_of(const RunDocument& run,
           .severity = episode.severity,
           .words = std::move(words),
           .from_s = run.time_s[episode.first],
-          .to_s = run.time_s[episode.last]};
+          .to_s = run.time_s[episode.last],
+          .is_near_truth = is_estimate_near_truth(run, episode.peak)};
 }
 
 std::string length_words(double length_m) {

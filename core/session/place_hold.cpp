@@ -15,8 +15,7 @@
 namespace nadir {
 namespace {
 
-constexpr double kPoorlyM = 2.0;  ///< Held no better than this is poorly: ExplanationRules::near_m.
-constexpr double kEven = 1.5;     ///< Longer than wide by less has no direction.
+constexpr double kEven = 1.5;  ///< Longer than wide by less has no direction.
 constexpr std::array<const char*, 4> kAxes = {"north to south", "north-east to south-west",
                                               "east to west", "south-east to north-west"};
 
@@ -131,7 +130,8 @@ PlaceHold place_hold(const MomentSurface& surface, double more_cost) {
     const Eigen::Vector2d from_mean = Eigen::Vector2d(one.x, one.y) - mean;
     spread += from_mean * from_mean.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+  axes.computeDirect(spread);
   Eigen::Vector2d long_axis = axes.eigenvectors().col(1);
   Eigen::Vector2d short_axis = axes.eigenvectors().col(0);
   const ErrorSurfaceGrid& grid = surface.volume.grid;
@@ -162,7 +162,7 @@ std::string in_words(const PlaceHold& hold, double yaw_rad) {
         kCompass.at(towards % kCompass.size()));
   }
   const std::string along = reach_text(hold.along_m, hold.is_along_open);
-  const bool is_poor = hold.is_along_open || hold.along_m >= kPoorlyM;
+  const bool is_poor = hold.is_along_open || hold.along_m >= ExplanationRules{}.near_m;
   if (hold.along_m < kEven * hold.across_m) {
     return fmt::format("The place is held {} in every direction: {} {}.",
                        is_poor ? "poorly" : "well", rises, along);

@@ -32,8 +32,8 @@ struct MetricRow {
   std::vector<std::optional<double>> values;
   /// Which way is better, where one is: -1 lower, 1 higher.
   int better = 0;
-  /// The best of the known values; nothing where none is better than another, or they do not compete.
-  std::optional<std::size_t> best = {};
+  /// The best of the known values, and those that equal it; empty where fewer than two are known, or they do not compete.
+  std::vector<std::size_t> best = {};
 };
 
 /// When two estimates count as parted.

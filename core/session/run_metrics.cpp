@@ -102,20 +102,23 @@ std::optional<double> if_finite(std::optional<double> value) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// The only best one of the known values; nothing where several share it or there is nothing to compare.
-std::optional<std::size_t> best_of(const MetricRow& row) {
-  if (row.better == 0) return std::nullopt;
-  std::optional<std::size_t> best;
+/// The best of the known values, and those that differ from it by rounding only; empty where there is nothing to compare.
+std::vector<std::size_t> best_of(const MetricRow& row) {
+  constexpr double kRounding = 1e-9;  // of the value
+  if (row.better == 0) return {};
+  std::optional<double> best;
   std::size_t known = 0;
-  bool is_shared = false;
-  for (std::size_t i = 0; i < row.values.size(); ++i) {
-    if (!row.values[i]) continue;
+  for (const auto& value : row.values) {
+    if (!value) continue;
     ++known;
-    const double ahead = best ? row.better * (*row.values[i] - *row.values[*best]) : 1.0;
-    is_shared = ahead == 0.0 || (is_shared && !(ahead > 0.0));
-    if (ahead > 0.0) best = i;
+    if (!best || row.better * (*value - *best) > 0.0) best = value;
   }
-  return known < 2 || is_shared ? std::nullopt : best;
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; known >= 2 && i < row.values.size(); ++i) {
+    const auto& value = row.values[i];
+    if (value && std::abs(*value - *best) <= kRounding * std::abs(*best)) all.push_back(i);
+  }
+  return all;
 }
 
 }  // namespace

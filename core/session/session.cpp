@@ -16,12 +16,24 @@ namespace {
 
 constexpr std::size_t kMostLogLines = 10'000;
 
-/// Whether a user has asked for a moment to look at, rather than for another time.
-bool goes_to_moment(const Action& action) {
+/// Whether a user has asked for a moment to look at, rather than for another time: a click on a mark seeks it to the bit.
+bool goes_to_moment(const Action& action, const OpenRun* run) {
+  if (const auto* const seek = std::get_if<actions::Seek>(&action); seek != nullptr && run) {
+    const auto is_meant = [seek](const auto& one) { return one.time_s == seek->time_s; };
+    return std::any_of(run->moments.begin(), run->moments.end(), is_meant) ||
+           std::any_of(run->bookmarks.begin(), run->bookmarks.end(), is_meant);
+  }
   if (const auto* const go = std::get_if<actions::GoTo>(&action)) {
     return go->moment != Moment::kStart && go->moment != Moment::kEnd;
   }
   return std::holds_alternative<actions::GoToDivergence>(action);
+}
+
+/// Whether a user goes to another time by hand.
+bool moves_time(const Action& action) {
+  return std::holds_alternative<actions::Seek>(action) ||
+         std::holds_alternative<actions::StepBy>(action) ||
+         std::holds_alternative<actions::GoTo>(action);
 }
 
 }  // namespace
@@ -60,6 +72,7 @@ Session::Implementation::~Implementation() {
 Result<void> Session::Implementation::apply(const Action& action) {
   Standing before = standing();
   foreign_bookmarks.clear();
+  const bool keeps_vehicle = moves_time(action) && is_vehicle_in_view();
   auto done = std::visit([this](const auto& one) { return perform(one); }, action);
   std::string words = action_text(action);
   if (!done) {
@@ -86,14 +99,18 @@ Result<void> Session::Implementation::apply(const Action& action) {
   } else {
     settle(before.kept, change_title(action, kept.view), key);
   }
-  if (goes_to_moment(action)) bring_moment_into_view();
+  if (goes_to_moment(action, active())) {
+    bring_moment_into_view();
+  } else if (keeps_vehicle) {
+    keep_vehicle_in_view();
+  }
   let_go_of_particle();
   request_steps();
   return {};
 }
 
 Standing Session::Implementation::standing() const {
-  return {kept, playback, overlay, followed_run, coming_run, wanted_time_s, map_wishes};
+  return {kept, playback, overlay, followed_run, coming, wanted_time_s, map_wishes};
 }
 
 void Session::Implementation::put_back(Standing before) {
@@ -101,7 +118,7 @@ void Session::Implementation::put_back(Standing before) {
   playback = before.playback;
   overlay = before.overlay;
   followed_run = std::move(before.followed_run);
-  coming_run = std::move(before.coming_run);
+  coming = std::move(before.coming);
   wanted_time_s = before.wanted_time_s;
   map_wishes = std::move(before.map_wishes);
 }

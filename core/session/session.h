@@ -86,6 +86,9 @@ class Session {
   /// The same without the changes. @errors kInvalidOptions: no such preset, or the active run is still being read;
   /// kMalformed: what the run recorded is none.
   [[nodiscard]] Result<RunOptions> draft_base() const;
+  /// How the next run from the start begins, as a run's header has it; empty: not known. That too goes by the run that was
+  /// begun last until it is seen, else by the active one.
+  [[nodiscard]] std::string draft_prior() const;
   [[nodiscard]] std::span<const Notice> notices() const;
   [[nodiscard]] std::vector<JobStatus> jobs() const;
   [[nodiscard]] std::span<const std::string> log()

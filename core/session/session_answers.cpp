@@ -55,6 +55,7 @@ Result<RunOptions> Session::draft_base() const {
   if (!base) return forward_error(base);
   return base->options;
 }
+std::string Session::draft_prior() const { return implementation_->draft_prior(); }
 std::span<const Notice> Session::notices() const { return implementation_->notices; }
 std::vector<JobStatus> Session::jobs() const { return implementation_->jobs(); }
 std::span<const std::string> Session::log() const { return implementation_->log; }

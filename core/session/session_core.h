@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,75 +9,18 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/job.h"
-#include "core/session/history.h"
-#include "core/session/kept_state.h"
-#include "core/session/saved_files.h"
 #include "core/session/session.h"
-#include "core/session/session_works.h"
-#include "core/session/unfinished_runs.h"
+#include "core/session/session_state.h"
 
 namespace nadir {
 
-/// All of a session. Its functions stand in session_*.cpp, by what they are about; perform() does what an action asks for and
+/// All of a session, by what it remembers (session_state.h). Its functions stand in session_*.cpp, by what they are about; perform() does what an action asks for and
 /// may leave things half done where it fails, for apply() then takes everything back.
-struct Session::Implementation {
-  explicit Implementation(SessionPlaces where) : places(std::move(where)) {}
+struct Session::Implementation : SessionState {
+  explicit Implementation(SessionPlaces where) : SessionState(std::move(where)) {}
   ~Implementation();
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
-
-  SessionPlaces places;
-  KeptState kept;
-  History<KeptState> history;
-  Playback playback;
-  Overlay overlay = Overlay::kNone;
-  std::vector<OpenRun> runs;   ///< As kept.view.runs.
-  std::vector<RunWork> works;  ///< Beside each run.
-  std::optional<OpenMap> map;
-  ReadingJob<ReadMap> map_reading;
-  std::string last_good_map;                  ///< Path of the last one that could be read.
-  std::map<std::string, MapWish> map_wishes;  ///< By the path of an open run that is not read yet.
-  std::map<std::string, FlightWork> flights;  ///< By path.
-  std::vector<RerunWork> reruns;
-  std::vector<SmallWork> small_works;
-  std::vector<EffectWork> effect_works;
-  std::vector<std::function<bool()>> leaving;  ///< What was asked to stop; true once it has.
-  std::vector<Effect> effects;
-  std::vector<int> cancelled_effects;
-  std::vector<Notice> notices;
-  std::vector<std::string> log;
-  std::string log_key;  ///< Of the last line, while a drag goes on.
-  std::vector<std::string> recents, recent_commands;
-  std::vector<std::string> turned_sections;  ///< Of panels; by path.
-  int offer_number = 0;  ///< Of the notice that offers to localise a flight; 0: none was made.
-  std::string offered;   ///< Flight and map that it was made for.
-  int last_number = 0;   ///< Of jobs and notices.
-  MapRoom map_room;
-  int direction = 1;  ///< In which time went last.
-
-  // The active run as it was when time was last set, for another one may have other times.
-  std::string timed_path;
-  std::optional<TimedRun> timed_run;
-  std::optional<double> wanted_time_s;  ///< To be set once the active run is settled.
-  std::string followed_run;  ///< Path of a run that grows, to whose end the cursor keeps; or empty.
-  std::string
-      coming_run;  ///< Path of one that takes the place of what is seen with its first step.
-  std::vector<ForeignBookmarks> foreign_bookmarks;  ///< That the action at work has come upon.
-  /// Run and step at which a particle was selected: it is no other step's.
-  std::optional<std::pair<std::string, int>> particle_step;
-
-  // What is written into the user's folder.
-  std::string saved_session;  ///< As the file holds it, or would have held it at the start.
-  Preferences
-      saved_preferences;  ///< This session's as it last wrote or read them; another one may have written since.
-  Savings being_saved;
-  bool is_saving_due = false;  ///< Somebody has asked for it.
-  WritingList writing{places.config};
-  std::vector<std::string> unfinished;  ///< Runs that a killed program left, and that are offered.
-  double since_saving_s = 0.0;
-  std::optional<Job<int, int>> saving;
-  std::string saving_fault;  ///< Why the last attempt failed; empty: it did not.
 
   // session.cpp
   Result<void> apply(const Action& action);
@@ -146,15 +88,17 @@ struct Session::Implementation {
   void settle_time();
   void begin_reading(std::size_t run);
   void take_run(std::size_t run);
-  /// The cursor keeps to the end of a run only while that grows.
-  void let_go_of_follow(std::size_t run);
+  /// The cursor keeps to the end of a run only while that grows, then it is where it was before.
+  void end_following(std::size_t run, const LiveRun& ended);
   void poll_reading(double elapsed_s);
   /// Reads a run again whose file somebody has written into: of one that may grow now and then, else when it is opened again.
   void look_at_file(std::size_t run);
   void drop_run(const std::string& path);
+  [[nodiscard]] bool is_being_written(const std::filesystem::path& run) const;
+
+  // session_steps.cpp
   void share_memory();
   void request_steps();
-  [[nodiscard]] bool is_being_written(const std::filesystem::path& run) const;
 
   // session_inputs.cpp
   void reconcile_map();
@@ -178,6 +122,8 @@ struct Session::Implementation {
   Result<void> perform(const actions::SetLoop& action);
   Result<void> perform(const actions::GoToDivergence& action);
   void seek(double time_s);
+  /// Somebody wants the cursor elsewhere than at the end of a run that grows.
+  void stop_following();
   void move_on(double elapsed_s);
 
   // session_map.cpp
@@ -212,6 +158,15 @@ struct Session::Implementation {
   /// Has the map show estimate, truth and particles of the moment: moved where they are not in view, nearer where they would be
   /// tiny. It belongs to time, which is not undone.
   void bring_moment_into_view();
+  /// Where the vehicle is thought to be at the cursor; nothing where nobody knows, or the map is of another place.
+  [[nodiscard]] std::optional<Eigen::Vector2d> vehicle_in_enu_m() const;
+  /// Whether the map shows where the vehicle is thought to be. True where nobody knows.
+  [[nodiscard]] bool is_vehicle_in_view() const;
+  /// Moves the map, as large as it is, where the vehicle has left it. For time that jumps: who has looked elsewhere before is
+  /// not taken away from there.
+  void keep_vehicle_in_view();
+  /// The map's centre, where nobody minds: no step of the history.
+  void move_view_to(const Eigen::Vector2d& centre_in_enu_m);
 
   // session_layout.cpp
   Result<void> perform(const actions::ShowPanel& action);
@@ -233,10 +188,16 @@ struct Session::Implementation {
   Result<void> perform(const actions::SetOption& action);
   Result<void> perform(const actions::UsePreset& action);
   Result<void> perform(const actions::SavePreset& action);
+  /// The run that the next one goes by, from its options to its start: the one that was begun last until it is seen, else the
+  /// active one. Null: none.
+  [[nodiscard]] const OpenRun* run_to_repeat() const;
   [[nodiscard]] Result<RunOptions> draft_options() const;
-  /// The same without the changes, and the preset's name. @errors kInvalidOptions: no such preset, or the active run is still
-  /// being read; kMalformed: what it recorded is none.
+  /// The same without the changes, and the preset's name. @errors kInvalidOptions: no such preset, or that run is still being
+  /// read; kMalformed: what it recorded is none.
   [[nodiscard]] Result<OptionsBase> draft_base() const;
+  [[nodiscard]] std::string draft_prior() const;
+  /// Null: the run is not made by this program, or all of it has been read.
+  [[nodiscard]] const LiveRun* live(const OpenRun& run) const;
 
   // session_rerun.cpp
   Result<void> perform(const actions::Rerun& action);

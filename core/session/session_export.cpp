@@ -215,7 +215,7 @@ Result<void> Session::Implementation::perform(const actions::PasteView& action) 
   kept.view = std::move(pasted->view);
   playback = pasted->playback;
   wanted_time_s = playback.time_s;
-  followed_run.clear();
+  stop_following();
   return {};
 }
 

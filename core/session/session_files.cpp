@@ -40,7 +40,7 @@ void Session::Implementation::remember(const std::string& path) {
 }
 
 void Session::Implementation::open_run(const std::string& path) {
-  coming_run.clear();
+  coming.reset();
   ViewState& view = kept.view;
   const auto found = std::find_if(view.runs.begin(), view.runs.end(),
                                   [&](const RunLook& look) { return look.path == path; });
@@ -153,7 +153,7 @@ Result<void> Session::Implementation::perform(const actions::OpenDemo& /*action*
 Result<void> Session::Implementation::perform(const actions::CloseRun& action) {
   const auto index = run_of(action.run);
   if (!index) return forward_error(index);
-  if (runs[*index].path == coming_run) coming_run.clear();
+  if (coming && runs[*index].path == coming->path) coming.reset();
   const bool was_active = action.run == kept.view.active_run;
   take_run_out(kept.view, runs[*index].path.string());
   if (was_active) use_map_of_active_run();
@@ -181,7 +181,7 @@ Result<void> Session::Implementation::perform(const actions::Quit& /*action*/) {
 Result<void> Session::Implementation::perform(const actions::ActivateRun& action) {
   const auto index = run_of(action.run);
   if (!index) return forward_error(index);
-  coming_run.clear();
+  coming.reset();
   if (kept.view.active_run != action.run) kept.view.selected_particle.reset();
   kept.view.active_run = action.run;
   kept.view.runs.at(*index).is_shown = true;

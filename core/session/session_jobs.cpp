@@ -42,7 +42,10 @@ bool Session::Implementation::is_busy() const {
   const bool is_reading =
       map_reading.has_value() ||
       std::any_of(works.begin(), works.end(),
-                  [](const RunWork& work) { return work.reading || work.is_last_reading_due; }) ||
+                  [](const RunWork& work) {
+                    return work.reading ||
+                           (work.live && work.live->stage == LiveRun::Stage::kEnded);
+                  }) ||
       std::any_of(flights.begin(), flights.end(),
                   [](const auto& flight) { return flight.second.reading.has_value(); });
   const bool is_decoding = std::any_of(runs.begin(), runs.end(), [](const OpenRun& run) {

@@ -5,6 +5,7 @@
 
 #include "core/base/staged_output.h"
 #include "core/run/resume_point.h"
+#include "core/run/run_prior.h"
 #include "core/session/session_core.h"
 
 namespace nadir {
@@ -43,12 +44,33 @@ std::pair<std::string, RunOptions> known_preset(const std::string& name) {
 
 }  // namespace
 
+const LiveRun* Session::Implementation::live(const OpenRun& run) const {
+  const auto& of_run = works[static_cast<std::size_t>(&run - runs.data())].live;
+  return of_run ? &*of_run : nullptr;
+}
+
+const OpenRun* Session::Implementation::run_to_repeat() const {
+  const auto found = std::find_if(runs.begin(), runs.end(), [this](const OpenRun& run) {
+    return coming && run.path == coming->path;
+  });
+  return found != runs.end() ? &*found : active();
+}
+
+std::string Session::Implementation::draft_prior() const {
+  const OpenRun* const run = run_to_repeat();
+  if (run == nullptr) return {};
+  if (run->document) {
+    const RunHeader& header = run->document->header;
+    const auto prior = header.options.find(kPriorOption);
+    return prior == header.options.end() || !header.parent_run.empty() ? "" : prior->second;
+  }
+  const LiveRun* const made = live(*run);
+  return made != nullptr && made->origin.prior ? prior_text(*made->origin.prior) : "";
+}
+
 Result<OptionsBase> Session::Implementation::draft_base() const {
   const std::string& name = kept.view.draft.preset;
-  const auto coming = std::find_if(runs.begin(), runs.end(), [this](const OpenRun& one) {
-    return one.path == coming_run;  // the one that was begun last
-  });
-  const OpenRun* const run = coming != runs.end() ? &*coming : active();
+  const OpenRun* const run = run_to_repeat();
   if (name != kOptionsOfRun || run == nullptr) {
     const std::string preset = name == kOptionsOfRun ? "default" : name;
     const auto options = run_preset(preset);
@@ -60,9 +82,7 @@ Result<OptionsBase> Session::Implementation::draft_base() const {
     if (!options) return forward_error(options, run->path.string());
     return OptionsBase{run->document->header.preset, *options};
   }
-  const auto writer = std::find_if(reruns.begin(), reruns.end(),
-                                   [run](const RerunWork& work) { return work.run == run->path; });
-  if (writer != reruns.end()) return writer->base;
+  if (const LiveRun* const made = live(*run)) return made->origin.base;
   return fail(ErrorCode::kInvalidOptions, "{} is still being read", run->name);
 }
 

@@ -21,7 +21,12 @@ void Session::Implementation::seek(double time_s) {
   const double to_s = std::clamp(time_s, 0.0, std::max(end_s, 0.0));
   if (to_s != playback.time_s) direction = to_s > playback.time_s ? 1 : -1;
   playback.time_s = to_s;
+  stop_following();
+}
+
+void Session::Implementation::stop_following() {
   followed_run.clear();
+  if (coming) coming->is_followed = false;
 }
 
 Result<void> Session::Implementation::perform(const actions::Seek& action) {
@@ -34,7 +39,7 @@ Result<void> Session::Implementation::perform(const actions::Seek& action) {
     seek(action.time_s);
   } else {  // as soon as it is read
     wanted_time_s = std::max(0.0, action.time_s);
-    followed_run.clear();
+    stop_following();
   }
   return {};
 }
@@ -97,7 +102,7 @@ Result<void> Session::Implementation::perform(const actions::Play& action) {
     // At the end, again from the beginning.
     const double end_s = playback.loop_to_s.value_or((*run)->document->duration_s());
     if (playback.time_s >= end_s) playback.time_s = playback.loop_from_s.value_or(0.0);
-    followed_run.clear();
+    stop_following();
     direction = 1;
   }
   playback.is_playing = is_wanted;
@@ -175,7 +180,7 @@ void Session::Implementation::settle_time() {
   }
   if (run == nullptr) {
     playback.is_playing = false;
-    followed_run.clear();
+    stop_following();
     return;
   }
   if (!run->document) return;

@@ -89,6 +89,7 @@ void Session::Implementation::reconcile_runs() {
         run.is_live = true;
         work.flight_path = writer->flight_path;
         work.map_path = writer->map_path;
+        work.live = LiveRun{.origin = writer->origin};
       }
       next_runs.push_back(std::move(run));
     }
@@ -117,7 +118,9 @@ void Session::Implementation::reconcile_runs() {
 void Session::Implementation::begin_reading(std::size_t run) {
   const auto earlier = runs[run].document;
   works[run].since_reading_s = 0.0;
-  works[run].is_last_reading = std::exchange(works[run].is_last_reading_due, false);
+  if (auto& live = works[run].live; live && live->stage == LiveRun::Stage::kEnded) {
+    live->stage = LiveRun::Stage::kReadToItsEnd;
+  }
   works[run].file = file_state(runs[run].path);
   works[run].since_look_s = 0.0;
   works[run].reading.emplace(
@@ -143,19 +146,22 @@ void Session::Implementation::take_run(std::size_t index) {
   OpenRun& run = runs[index];
   Result<ReadRun> read = std::move(*work.reading->outcome());
   work.reading.reset();
-  const bool is_at_its_end = std::exchange(work.is_last_reading, false);
-  if (is_at_its_end) run.is_live = false;
+  std::optional<LiveRun> ended;
+  if (work.live && work.live->stage == LiveRun::Stage::kReadToItsEnd) {
+    ended = std::exchange(work.live, std::nullopt);
+    run.is_live = false;
+  }
   if (!read) {
     if (run.document) {  // it was readable before; what is there of it stays
       add_notice(Notice::Kind::kWarning, read.error().message);
-      let_go_of_follow(index);
+      if (ended) end_following(index, *ended);
       return;
     }
     add_notice(Notice::Kind::kError, read.error().message);
     drop_run(run.path.string());
     return;
   }
-  if (run.is_live && !run.document) work.held_view = hold_view_for(run.path.string());
+  if (work.live && !run.document) work.live->held_view = hold_view_for(run.path.string());
   const auto before = std::exchange(run.document, std::move(read->document));
   run.moments = run.document->worst_moments;
   const std::string path = run.path.string();
@@ -166,10 +172,8 @@ void Session::Implementation::take_run(std::size_t index) {
       find_inputs(index);
     }
     settle_time();
-    let_go_of_follow(index);
-    if (is_at_its_end && work.held_view) {
-      let_go_of_view_unseen(*std::exchange(work.held_view, std::nullopt));
-    }
+    if (ended) end_following(index, *ended);
+    if (ended && ended->held_view) let_go_of_view_unseen(*ended->held_view);
     return;
   }
   if (run.document->steps.empty() && !run.is_live) {
@@ -193,25 +197,27 @@ void Session::Implementation::take_run(std::size_t index) {
   }
   if (!run.is_live) remember(path);
   find_inputs(index);
-  let_go_of_follow(index);
+  if (ended) end_following(index, *ended);
 }
 
-void Session::Implementation::let_go_of_follow(std::size_t index) {
-  if (runs[index].is_live || followed_run != runs[index].path) return;
+void Session::Implementation::end_following(std::size_t index, const LiveRun& ended) {
+  const fs::path& path = runs[index].path;
+  if (coming && coming->path == path) coming->is_followed = false;  // it will be seen whole
+  if (followed_run != path) return;
   followed_run.clear();
   const RunDocument* const seen = active_document();
-  const auto back_to_clock_s = std::exchange(works[index].back_to_clock_s, std::nullopt);
-  if (!back_to_clock_s || seen == nullptr || seen != runs[index].document.get()) return;
-  playback.time_s = std::clamp(*back_to_clock_s - seen->start_clock_s, 0.0, seen->duration_s());
+  const auto back_s = ended.origin.studied_clock_s;
+  if (!back_s || seen == nullptr || seen != runs[index].document.get()) return;
+  playback.time_s = std::clamp(*back_s - seen->start_clock_s, 0.0, seen->duration_s());
 }
 
 void Session::Implementation::drop_run(const std::string& path) {
   std::erase(recents, path);
   if (followed_run == path) followed_run.clear();
-  if (coming_run == path) coming_run.clear();
+  if (coming && coming->path == path) coming.reset();
   std::optional<HeldView> held;  // for a run that leaves nothing: then all is as it was
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (runs[i].path == path) held = works[i].held_view;
+    if (runs[i].path == path && works[i].live) held = works[i].live->held_view;
   }
   amend([&path](KeptState& state) {
     take_run_out(state.view, path);
@@ -234,7 +240,7 @@ void Session::Implementation::poll_reading(double elapsed_s) {
   take_flights();
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (works[i].reading) continue;
-    if (works[i].is_last_reading_due) begin_reading(i);
+    if (works[i].live && works[i].live->stage == LiveRun::Stage::kEnded) begin_reading(i);
     if (!runs[i].is_live) look_at_file(i);
     if (!runs[i].is_live || works[i].reading || works[i].since_reading_s < kLeastBetweenReadingsS)
       continue;
@@ -262,36 +268,6 @@ void Session::Implementation::look_at_file(std::size_t index) {
   const bool has_failed = flight != flights.end() && flight->second.has_failed;
   if (has_failed) flight->second.has_failed = false;
   if (has_failed || work.flight_path.empty() || work.map_path.empty()) find_inputs(index);
-}
-
-void Session::Implementation::share_memory() {
-  const auto count = static_cast<std::size_t>(std::count_if(
-      runs.begin(), runs.end(), [](const OpenRun& run) { return run.cache != nullptr; }));
-  if (count == 0) return;
-  const std::size_t bytes = (static_cast<std::size_t>(kept.memory_megabytes) << 20U) / count;
-  for (OpenRun& run : runs) {
-    if (run.cache) run.cache->set_budget_bytes(bytes);
-  }
-}
-
-void Session::Implementation::request_steps() {
-  const RunDocument* const here = active_document();
-  if (here == nullptr) return;
-  const WindowLayout& layout = kept.view.layout;
-  const bool shows_camera =
-      !layout.is_map_only &&
-      (layout.shows(Panel::kCamera) || layout.shows(Panel::kMoment) || layout.shows(Panel::kScene));
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (!runs[i].cache || !kept.view.runs.at(i).is_shown) continue;
-    const RunDocument& there = *runs[i].document;
-    // Of one that will be shown from its end on, that is what will be seen.
-    const bool begins_at_end = runs[i].path == coming_run && runs[i].path == followed_run;
-    const auto index =
-        there.index_at(begins_at_end ? there.duration_s() : here->time_in(there, playback.time_s));
-    if (!index) continue;
-    const bool is_active = static_cast<int>(i) + 1 == kept.view.active_run;
-    runs[i].cache->request({*index, direction, playback.is_playing, is_active && shows_camera});
-  }
 }
 
 }  // namespace nadir

@@ -113,7 +113,7 @@ Result<void> Session::Implementation::open_recipe(std::string_view text, const f
       map_wishes[run.string()] = {history.last_change() + 1, true};
     }
   }
-  followed_run.clear();
+  stop_following();
   if (!map_named->empty()) {
     if (auto opened = open_map(placed(*map_named)); !opened) {
       return forward_error(opened, file.string());

@@ -104,9 +104,7 @@ Result<std::string> Session::Implementation::flight_to_localise(const OpenRun* r
 
 Result<std::optional<Prior>> Session::Implementation::prior_of(const OpenRun& run) const {
   if (run.document) return recorded_prior(run.path, run.document->header);
-  const auto writer = std::find_if(reruns.begin(), reruns.end(),
-                                   [&run](const RerunWork& work) { return work.run == run.path; });
-  if (writer != reruns.end()) return writer->prior;
+  if (const LiveRun* const made = live(run)) return made->origin.prior;
   return fail(ErrorCode::kInvalidOptions, "{} is still being read", run.name);
 }
 
@@ -151,7 +149,9 @@ void Session::Implementation::say_what_of_map_changed(const OpenRun& run) {
 }
 
 Result<void> Session::Implementation::perform(const actions::Rerun& action) {
-  const OpenRun* const run = action.from == RerunFrom::kFlight ? nullptr : active();
+  const OpenRun* const run = action.from == RerunFrom::kFlight   ? nullptr
+                             : action.from == RerunFrom::kCursor ? active()
+                                                                 : run_to_repeat();
   const auto path_of_flight = flight_to_localise(run);
   if (!path_of_flight) return forward_error(path_of_flight);
   if (!map || !map->index) {
@@ -181,8 +181,12 @@ Result<void> Session::Implementation::perform(const actions::Rerun& action) {
   const auto prior = run != nullptr ? prior_of(*run) : Result<std::optional<Prior>>(task.prior);
   const std::string name = path->stem().string();
   if (run != nullptr) say_what_of_map_changed(*run);
-  reruns.push_back({++last_number, name, *path, *path_of_flight, map->path.string(),
-                    OptionsBase{task.preset, task.options}, prior,
+  const RunDocument* const studied = active_document();
+  const RerunOrigin origin{
+      {task.preset, task.options},
+      prior,
+      studied != nullptr ? std::optional(studied->clock_s(playback.time_s)) : std::nullopt};
+  reruns.push_back({++last_number, name, *path, *path_of_flight, map->path.string(), origin,
                     Job<RerunProgress, RerunOutcome>(
                         [task = std::move(task)](const WorkContext& context, const auto& publish) {
                           return rerun(task, context, [&publish](RerunProgress progress) {
@@ -190,17 +194,17 @@ Result<void> Session::Implementation::perform(const actions::Rerun& action) {
                           });
                         })});
   list_what_is_written();  // so that the next start knows of it, whatever happens
+  // From here: the moment that is studied stays in sight. From the start: watch it go.
+  const bool is_watched = action.from != RerunFrom::kCursor;
+  stop_following();
   const ViewState seen = kept.view;
   open_run(path->string());
   if (seen.active_run != 0) {  // what is seen stays until there is something else to see
     kept.view.active_run = seen.active_run;
     kept.view.selected_particle = seen.selected_particle;
-    coming_run = path->string();
-  }
-  // From here: the moment that is studied stays in sight. From the start: watch it go.
-  followed_run = action.from == RerunFrom::kCursor ? std::string() : path->string();
-  if (const RunDocument* const studied = active_document(); studied != nullptr) {
-    reruns.back().back_to_clock_s = studied->clock_s(playback.time_s);
+    coming = ComingRun{path->string(), is_watched};
+  } else if (is_watched) {
+    followed_run = path->string();
   }
   playback.is_playing = false;
   save_now();
@@ -208,14 +212,17 @@ Result<void> Session::Implementation::perform(const actions::Rerun& action) {
 }
 
 void Session::Implementation::show_coming_run() {
+  if (!coming) return;
   const auto found = std::find_if(runs.begin(), runs.end(),
-                                  [this](const OpenRun& run) { return run.path == coming_run; });
+                                  [this](const OpenRun& run) { return run.path == coming->path; });
   // Its first step is decoded before it is shown, so that nothing flickers.
   const bool has_something = found != runs.end() && found->document &&
                              !found->document->steps.empty() && found->cache &&
                              found->cache->is_cursor_ready();
   if (!has_something) return;
-  const std::string path = std::exchange(coming_run, {});
+  const std::string path = coming->path;
+  if (coming->is_followed) followed_run = path;
+  coming.reset();
   amend([&path](KeptState& state) {
     const auto run = std::find_if(state.view.runs.begin(), state.view.runs.end(),
                                   [&path](const RunLook& look) { return look.path == path; });
@@ -244,9 +251,7 @@ void Session::Implementation::end_rerun(RerunWork& work) {
   const auto found = std::find_if(runs.begin(), runs.end(),
                                   [&](const OpenRun& run) { return run.path == work.run; });
   if (found != runs.end()) {
-    RunWork& ended = works[static_cast<std::size_t>(found - runs.begin())];
-    ended.is_last_reading_due = true;
-    ended.back_to_clock_s = work.back_to_clock_s;
+    works[static_cast<std::size_t>(found - runs.begin())].live->stage = LiveRun::Stage::kEnded;
   }
   const Result<RerunOutcome>& outcome = *std::as_const(work.job).outcome();
   if (!outcome) {

@@ -258,11 +258,36 @@ void Session::Implementation::bring_moment_into_view() {
     settle(before, "Bring the moment into view", "");
     return;
   }
+  move_view_to(centre_in_enu_m);
+}
+
+void Session::Implementation::move_view_to(const Eigen::Vector2d& centre_in_enu_m) {
   amend([&, before = kept.view.map](KeptState& state) {
     MapLook& now = state.view.map;
     if (now.centre_in_enu_m != before.centre_in_enu_m || now.width_m != before.width_m) return;
     now.centre_in_enu_m = centre_in_enu_m;
   });
+}
+
+std::optional<Eigen::Vector2d> Session::Implementation::vehicle_in_enu_m() const {
+  const RunDocument* const run = active_document();
+  const auto index = run != nullptr ? run->index_at(playback.time_s) : std::nullopt;
+  if (!index || (map && is_elsewhere(*map, *run))) return std::nullopt;
+  const Rigid2& mean = run->steps[*index].estimate.moments.mean;
+  return is_finite(mean) ? std::optional<Eigen::Vector2d>(mean.translation_m()) : std::nullopt;
+}
+
+bool Session::Implementation::is_vehicle_in_view() const {
+  const MapLook look = resolved_look();
+  const auto vehicle = vehicle_in_enu_m();
+  return look.is_following || !vehicle ||
+         shows_all(look, {*vehicle}, FreeView(look, map_room), map_room);
+}
+
+void Session::Implementation::keep_vehicle_in_view() {
+  if (!(kept.view.map.width_m > 0.0) || is_vehicle_in_view()) return;
+  const MapLook look = resolved_look();
+  move_view_to(FreeView(look, map_room).centre_for(*vehicle_in_enu_m(), look.width_m));
 }
 
 }  // namespace nadir

@@ -46,20 +46,44 @@ struct HeldView {
   double width_m = 0.0;
 };
 
+/// What a run was made with: from here the options of the next one differ.
+struct OptionsBase {
+  std::string preset;
+  RunOptions options;
+};
+
+/// What is known of a run that this program makes before its first step.
+struct RerunOrigin {
+  OptionsBase base;
+  Result<std::optional<Prior>> prior;  ///< Of the flight's start; or why nobody knows it.
+  /// Moment that was studied when it was begun: the cursor goes back to it when it has watched the run to its end.
+  std::optional<double> studied_clock_s;
+};
+
+/// A run from its beginning until all of it has been read.
+struct LiveRun {
+  enum class Stage { kWritten, kEnded, kReadToItsEnd };
+  RerunOrigin origin;
+  Stage stage = Stage::kWritten;  ///< kEnded: its last reading is due; kReadToItsEnd: that goes on.
+  std::optional<HeldView> held_view = {};  ///< Since its first step was read.
+};
+
+/// A run that takes the place of what is seen, with its first step.
+struct ComingRun {
+  std::string path;
+  bool is_followed = false;  ///< The cursor will keep to its end.
+};
+
 /// What belongs to an open run beside OpenRun.
 struct RunWork {
   int number = 0;  ///< As a job.
   ReadingJob<ReadRun> reading;
   std::string flight_path, map_path;  ///< Empty: not known yet, or not there.
   double since_reading_s = 1e9;       ///< Of a run that grows.
-  bool is_last_reading_due = false;   ///< It has ended and may have grown since it was read.
-  bool is_last_reading = false;       ///< The one that goes on is that.
-  std::optional<double>
-      back_to_clock_s;        ///< Moment that was studied before it was watched, when it has ended.
-  FileState file;             ///< When its last reading began.
-  double since_look_s = 0.0;  ///< Since the file was compared with that.
-  bool is_opened_again = false;            ///< So file, flight and map are to be looked at anew.
-  std::optional<HeldView> held_view = {};  ///< Of one that was made here.
+  std::optional<LiveRun> live = {};   ///< As OpenRun::is_live says.
+  FileState file;                     ///< When its last reading began.
+  double since_look_s = 0.0;          ///< Since the file was compared with that.
+  bool is_opened_again = false;       ///< So file, flight and map are to be looked at anew.
 };
 
 /// The run whose file names a map that is to be shown, as soon as that is known.
@@ -88,22 +112,14 @@ struct FlightWork {
   bool has_failed = false;
 };
 
-/// What a run was made with: from here the options of the next one differ.
-struct OptionsBase {
-  std::string preset;
-  RunOptions options;
-};
-
 struct RerunWork {
   int number = 0;
   std::string name;
   std::filesystem::path run;
   std::string flight_path, map_path;  ///< What it is made from.
-  OptionsBase base;
-  Result<std::optional<Prior>> prior;  ///< Of the flight's start; or why nobody knows it.
+  RerunOrigin origin;
   Job<RerunProgress, RerunOutcome> job;
   bool is_cancelled = false;
-  std::optional<double> back_to_clock_s = {};  ///< As RunWork's.
 };
 
 /// Small work with one result: a table that is written, a figure whose recipe is read.

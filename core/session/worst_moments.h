@@ -40,6 +40,8 @@ struct WorstMoment {
   double severity = 0.0;
   std::string words;                ///< "2.8 m off, 95 % ellipse 0.9 m"
   double from_s = 0.0, to_s = 0.0;  ///< The episode, after the run's first step; holds time_s.
+  /// The estimate was as near to the truth at the step as MomentVerdict::kFound asks: worth a look, but not wrong.
+  bool is_near_truth = false;
 };
 
 /// When something is worth a look. A stretch of steps beyond a limit is an episode; stretches of one kind less than

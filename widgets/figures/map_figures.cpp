@@ -43,10 +43,13 @@ std::vector<LegendEntry> class_legend(const OverheadMap& map, bool with_shares) 
   return entries;
 }
 
-/// Cells without a class are not drawn, so that the page is seen: their sample is of its colour.
+/// Cells without a class are not drawn, so that the page is seen: their sample is of its colour. Classes can be told from it.
 std::vector<LegendEntry> on_page(std::vector<LegendEntry> entries, const PageFormat& format) {
   for (LegendEntry& entry : entries) {
-    if (entry.kind != LegendEntry::Kind::kOutlinedBar) continue;
+    if (entry.kind != LegendEntry::Kind::kOutlinedBar) {
+      entry = legible_entry(std::move(entry), format.colours());
+      continue;
+    }
     if (!format.is_transparent) entry.colour = format.colours().page;
     entry.casing = format.colours().muted;
   }

@@ -34,8 +34,9 @@ class MomentFigure : public TimedFigure {
     if (auto read = read_shown_step(); !read) return read;
     const RunStep& step = *step_;
     const double px = format.px_per_pt();
-    const auto bars =
-        agreement_ ? agreement_bars(*agreement_, format.colours()) : std::optional<ChartSpec>();
+    const auto bars = agreement_ ? agreement_bars(*agreement_, format.colours(),
+                                                  map_->run_colour(format.colours()))
+                                 : std::optional<ChartSpec>();
     PageRect rest = page_inside(format);
     draw_foot(canvas, format, rest, words(step));
     draw_page_legend(canvas, format, rest, legend(format.colours(), step, bars.has_value()));
@@ -67,7 +68,7 @@ class MomentFigure : public TimedFigure {
     step_ = std::move(*step);
     shown_index_ = index();
     agreement_ = moment_agreement(*step_, labels_);
-    classes_ = patch_legend(*step_, labels_);
+    classes_ = patch_legend(*step_, labels_, theme(theme_));
     bars_.reset();
     map_->show(*step_, labels_, theme(theme_));
     return {};
@@ -148,7 +149,7 @@ class MomentFigure : public TimedFigure {
       }
     }
     if (has_bars) {
-      entries.push_back({"share at estimate", theme.estimate, LegendEntry::Kind::kBar});
+      entries.push_back({"share at estimate", map_->run_colour(theme), LegendEntry::Kind::kBar});
       if (agreement_->at_truth) {
         entries.push_back({"at truth", theme.muted, LegendEntry::Kind::kBar});
       }

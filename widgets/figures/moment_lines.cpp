@@ -39,6 +39,12 @@ PathLook MomentMap::line_look(Layer layer, const Theme& theme) const {
   return look;
 }
 
+Rgba MomentMap::run_colour(const Theme& theme) const {
+  const std::optional<std::string>& own = look_.layer(Layer::kEstimate).colour;
+  const Rgba colour = nadir::run_colour(theme, static_cast<std::size_t>(options_.run_colour - 1));
+  return own ? colour_from_hex(*own).value_or(colour) : colour;
+}
+
 /// Without a colour of the layer's own: over imagery, or on the bare page.
 PathLook MomentMap::theme_look(Layer layer, const Theme& theme) const {
   const auto run = static_cast<std::size_t>(options_.run_colour - 1);
@@ -48,7 +54,7 @@ PathLook MomentMap::theme_look(Layer layer, const Theme& theme) const {
   if (options_.stack.is_own() || is_ground_below_lines(look_)) return look;
   look.colour = layer == Layer::kTruth      ? theme.truth
                 : layer == Layer::kOdometry ? theme.odometry
-                                            : run_colour(theme, run);
+                                            : nadir::run_colour(theme, run);
   look.casing = with_opacity(theme.page, 0.8);
   return look;
 }

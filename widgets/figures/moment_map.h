@@ -47,6 +47,8 @@ class MomentMap {
   [[nodiscard]] bool shows_particles(const RunStep& step) const;
   /// With the layer of modes all of them, else only the heaviest.
   [[nodiscard]] std::span<const PoseMode> shown_modes(const RunStep& step) const;
+  /// Of the estimate, on the bare page: its own colour, else that of the run.
+  [[nodiscard]] Rgba run_colour(const Theme& theme) const;
   /// In the colour that the map has it.
   [[nodiscard]] PathLook line_look(Layer layer, const Theme& theme) const;
 

@@ -136,9 +136,11 @@ void draw_patches(Canvas& canvas,
   draw_picture(canvas, format, parts[3], captions[3], patch_at(Source::kTruth));
 }
 
-std::optional<ChartSpec> agreement_bars(const MomentAgreement& agreement, const Theme& theme) {
+std::optional<ChartSpec> agreement_bars(const MomentAgreement& agreement,
+                                        const Theme& theme,
+                                        Rgba estimate) {
   BarsSpec bars;
-  bars.series.push_back({"at estimate", {}, theme.estimate});
+  bars.series.push_back({"at estimate", {}, estimate});
   if (agreement.at_truth) bars.series.push_back({"at truth", {}, theme.muted});
   const auto percent = [](const CellAgreement& cells, ClassId id) {
     const auto share = cells.of_class.at(id).share();
@@ -161,7 +163,9 @@ std::optional<ChartSpec> agreement_bars(const MomentAgreement& agreement, const 
   return spec;
 }
 
-std::vector<LegendEntry> patch_legend(const RunStep& step, const OverheadMap& map) {
+std::vector<LegendEntry> patch_legend(const RunStep& step,
+                                      const OverheadMap& map,
+                                      const Theme& theme) {
   if (!step.topview || step.topview->cells.empty()) return {};
   const TopviewRaster seen = topview_raster(*step.topview);
   std::bitset<256> present;
@@ -177,8 +181,8 @@ std::vector<LegendEntry> patch_legend(const RunStep& step, const OverheadMap& ma
   std::vector<LegendEntry> entries;
   for (ClassId id = 0; id < kClassCount; ++id) {
     if (!present.test(id)) continue;
-    entries.push_back(
-        {std::string(class_info(id).name), class_colour(id), LegendEntry::Kind::kBar});
+    entries.push_back(legible_entry(
+        {std::string(class_info(id).name), class_colour(id), LegendEntry::Kind::kBar}, theme));
   }
   return entries;
 }

@@ -49,11 +49,15 @@ void draw_patches(Canvas& canvas,
                   const std::optional<MomentAgreement>& agreement);
 
 /// Share of the cells of each class that agree with the map. Nothing where the map knows none of them.
+/// @param estimate  Colour of what is at the estimate.
 [[nodiscard]] std::optional<ChartSpec> agreement_bars(const MomentAgreement& agreement,
-                                                      const Theme& theme);
+                                                      const Theme& theme,
+                                                      Rgba estimate);
 
 /// Classes of the topview and of the map under it.
-[[nodiscard]] std::vector<LegendEntry> patch_legend(const RunStep& step, const OverheadMap& map);
+[[nodiscard]] std::vector<LegendEntry> patch_legend(const RunStep& step,
+                                                    const OverheadMap& map,
+                                                    const Theme& theme);
 
 /// ", 0.21 m from the truth · spread ... · 1 mode · effective sample size 60 of 100 particles": what a step says of the
 /// filter's belief, without what the run does not know.

@@ -195,8 +195,8 @@ class Reconstruction : public TimedFigure {
     for (ClassId id = 0; id < kClassCount; ++id) {
       const CellAgreement::Count& count = counts.at(id);
       if (count.agreeing + count.disagreeing + count.unknown == 0) continue;
-      entries.push_back(
-          {std::string(class_info(id).name), class_colour(id), LegendEntry::Kind::kBar});
+      entries.push_back(legible_entry(
+          {std::string(class_info(id).name), class_colour(id), LegendEntry::Kind::kBar}, theme));
     }
     for (const auto& side : sides_) {
       entries.push_back({std::string("poses of ") + name_of(side->source()),

@@ -202,6 +202,8 @@ class Ui {
   /// Begins the next row. Its path is "table/name"; those of cells "table/name/title of the column".
   RowInput row(const std::string& name, bool is_selected = false);
   void cell(const std::string& text, TextLook look = TextLook::kNormal);
+  /// The same after an icon; words of all rows begin below each other.
+  void icon_cell(Icon icon, const std::string& text, TextLook look = TextLook::kNormal);
   void number_cell(const std::string& digits, TextLook look = TextLook::kNumber);
   /// A bar from the cell's left with its number. @param share  0 to 1; NaN gives an empty cell.
   void bar_cell(double share, Rgba colour, const std::string& digits);

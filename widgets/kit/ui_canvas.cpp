@@ -193,7 +193,10 @@ void UiCanvas::text(const Eigen::Vector2d& point, const std::string& line, const
                                                          : width / 2.0;
   Eigen::Vector2f origin = in_window(point);
   const bool is_level = style.rotation_deg == 0.0;
-  if (is_level) origin.y() = std::round(origin.y());  // sharper
+  if (is_level) {  // sharper
+    if (style.align == TextAlign::kLeft) origin.x() = std::round(origin.x());
+    origin.y() = std::round(origin.y());
+  }
   const double angle = -style.rotation_deg * std::numbers::pi / 180.0;
   const Eigen::Vector2f along(static_cast<float>(std::cos(angle)),
                               static_cast<float>(std::sin(angle)));

@@ -5,21 +5,16 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "widgets/kit/ui.h"
-#include "widgets/kit/ui_context.h"
-#include "widgets/kit/ui_focus.h"
-#include "widgets/kit/ui_fonts.h"
-#include "widgets/kit/ui_look.h"
-#include "widgets/kit/ui_pictures.h"
+#include "widgets/kit/ui_state.h"
 
-/// What kit's own sources share: the only header of kit that knows Dear ImGui. Included by no panel.
+/// What kit's own sources share to draw a frame. With ui_state.h the only header of kit that knows Dear ImGui; included by no
+/// panel.
 namespace nadir::kit {
 
 class UiCanvas;
@@ -35,30 +30,6 @@ class UiCanvas;
   return {narrow(rect.left), narrow(rect.top), narrow(rect.right()), narrow(rect.bottom())};
 }
 
-/// What the user is changing now: at most one thing.
-struct Draft {
-  ImGuiID id = 0;
-  double number = 0.0, start_number = 0.0;
-  std::string text, start_text;
-  Rgba colour, start_colour;
-  bool is_typing = false;      ///< A number's field takes text.
-  bool is_text = false;        ///< What is typed is text, not a number.
-  bool takes_tab = false;      ///< Tab completes what is typed and goes nowhere.
-  bool begins_at_end = false;  ///< The first sign was typed before the field was.
-  bool had_keyboard = false;
-  bool was_dragged = false;
-  int last_frame = 0;  ///< That drew it: one that is not drawn any more is forgotten.
-};
-
-/// A press of a mouse button in an area.
-struct AreaPress {
-  ImGuiID id = 0;
-  MouseButton button = MouseButton::kLeft;
-  ImVec2 start;
-  bool is_drag = false;
-  bool is_second = false;  ///< Of a double click.
-};
-
 /// A tooltip that the mouse asks for in this frame.
 struct TooltipWish {
   std::string path;
@@ -67,38 +38,6 @@ struct TooltipWish {
   std::vector<std::string> lines;  ///< Of mouse_tooltip(), shown at once.
   std::optional<ImRect> beside;    ///< What it must not cover; none: it stands at the mouse.
   bool is_by_mouse = false;  ///< Its left end is where the mouse is, else where `beside` begins.
-};
-
-struct UiContext::State {
-  ImGuiContext* imgui = nullptr;
-  ThemeName theme = ThemeName::kDark;
-  double scale = 1.0;
-  bool is_look_new = true;
-  bool is_motion_reduced = false;
-  bool is_in_frame = false;
-  std::shared_ptr<FontSet> fonts;
-  Look look;
-  UiPictures pictures;
-  FrameInput input;
-  std::vector<Control> controls;  ///< Of the last finished frame.
-  std::string scroll_to;
-  std::string tooltip;  ///< Showing in the last frame, in one line.
-  std::string hover_path;
-  double hovered_s = 0.0;
-  double next_frame_within_s = 0.0;
-  Draft draft;
-  Draft
-      abandoned;  ///< Was being typed when another control was pressed; its own control commits it.
-  AreaPress area_press;
-  ImGuiID hovered_area = 0;
-  ImGuiID open_bar = 0;        ///< Window whose menus follow the mouse.
-  ImGuiID focused_number = 0;  ///< Arrow keys step it.
-  Focus focus;
-  std::map<ImGuiID, int>
-      last_drawn;  ///< Frame in which a text input that takes the focus was drawn.
-  std::string clipboard;
-  std::set<std::string> turned_sections;  ///< Paths of those that are not as they are at first.
-  std::unique_ptr<Ui> ui;
 };
 
 /// Where a control lies: the whole of it in `box`; `label` beside or above `field`.
@@ -290,7 +229,11 @@ struct Ui::Frame {
   void draw_table_header(bool is_sortable);
   void end_row();
   ImRect next_cell();
-  void text_cell(const std::string& words, ImFont* the_font, ImU32 the_colour, bool is_number);
+  void text_cell(const std::string& words,
+                 ImFont* the_font,
+                 ImU32 the_colour,
+                 bool is_number,
+                 Icon icon = Icon::kNone);
   Scope open_popup(ImGuiID id, const std::string& name);
   std::optional<NoticeWish::Kind> draw_notice(Ui& ui,
                                               const Notice& notice,

@@ -116,8 +116,10 @@ std::optional<NoticeWish::Kind> Ui::Frame::draw_notice(Ui& ui,
   ImGui::PushTextWrapPos(wrap_at);
   ImGui::TextUnformatted(printable(notice.text).c_str());
   ImGui::PopTextWrapPos();
-  const ImVec2 after(words_left - (notice.details.empty() ? 0.0F : d(12)),
-                     std::max(ImGui::GetCursorScreenPos().y, top + d(28)));
+  const bool has_buttons = !notice.details.empty() || (!notice.action.empty() && !notice.is_brief);
+  const ImVec2 after(
+      words_left - (notice.details.empty() ? 0.0F : d(12)),
+      std::max(ImGui::GetCursorScreenPos().y + (has_buttons ? d(8) : 0.0F), top + d(28)));
   if (notice.is_brief && !notice.action.empty()) {
     ImGui::SetCursorScreenPos(
         {words_left + text_size(notice.text, state.fonts->text).x + d(12), top});

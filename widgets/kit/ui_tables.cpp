@@ -147,16 +147,18 @@ ImRect Ui::Frame::next_cell() {
   return {at, {at.x + room_width(), at.y + d(kRowHeight)}};
 }
 
-void Ui::Frame::text_cell(const std::string& words,
-                          ImFont* the_font,
-                          ImU32 the_colour,
-                          bool is_number) {
+void Ui::Frame::text_cell(
+    const std::string& words, ImFont* the_font, ImU32 the_colour, bool is_number, Icon icon) {
   const ImRect box = next_cell();
   const Column& column = tables.back().columns[static_cast<std::size_t>(tables.back().column)];
   ImGui::ItemSize(box.GetSize());
   ImGui::ItemAdd(box, 0);
   is_last_hovered = ImGui::IsItemHovered();
   ImRect inside = box;
+  if (icon != Icon::kNone) {
+    write_icon({inside.Min, {inside.Min.x + d(18), inside.Max.y}}, icon, shade(the_colour));
+    inside.Min.x += d(26);
+  }
   if (column.align == Align::kDecimal && is_number) {
     const int lacking = column.decimals - digits_after_point(words);
     const bool lacks_point = words.find('.') == std::string::npos && column.decimals > 0;
@@ -170,6 +172,10 @@ void Ui::Frame::text_cell(const std::string& words,
 
 void Ui::cell(const std::string& text, TextLook look) {
   frame_->text_cell(text, frame_->font(look), frame_->colour(look), false);
+}
+
+void Ui::icon_cell(Icon icon, const std::string& text, TextLook look) {
+  frame_->text_cell(text, frame_->font(look), frame_->colour(look), false, icon);
 }
 
 void Ui::number_cell(const std::string& digits, TextLook look) {

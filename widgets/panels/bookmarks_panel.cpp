@@ -113,12 +113,14 @@ void draw_moment(kit::Ui& ui,
   const double inside = ui.room().width - ui.px(8.0);
   kit::ListRow row;
   row.is_selected = is_at(model.time_s, moment.time_s);
-  row.hint = {fmt::format("{}: {}", look.name, moment.words), "", "",
-              fmt::format("{}. {}", look.meaning, severity_words(moment.severity))};
+  const std::string severity = severity_words(moment);
+  row.hint = {
+      moment_words(moment), "", "",
+      severity.empty() ? std::string(look.meaning) : fmt::format("{}; {}", look.meaning, severity)};
   if (ui.list_row("##go", row).was_clicked) asked.emplace_back(actions::Seek{moment.time_s});
   ui.same_line(0.0);
   ui.right_align(inside);
-  ui.icon(look.icon, look.look);
+  ui.icon(look.icon, moment_look(moment));
   ui.same_line(ui.px(8.0));
   ui.text(clock_text(moment.time_s), kit::TextLook::kNumber);
   ui.same_line(ui.px(10.0));
@@ -128,7 +130,7 @@ void draw_moment(kit::Ui& ui,
   const double taken = digits + unit + edge;
   // In a narrow panel the kind matters more than the number, which is in the tooltip.
   const bool has_number = !value.digits.empty() && ui.room().width > taken + ui.px(32.0);
-  ui.cut_text(std::string(look.name), look.look, has_number ? taken + ui.px(8.0) : edge);
+  ui.cut_text(std::string(look.name), moment_look(moment), has_number ? taken + ui.px(8.0) : edge);
   if (!has_number) return;
   ui.same_line(0.0);
   ui.right_align(taken);
@@ -143,11 +145,13 @@ void draw_moments(kit::Ui& ui, const BookmarksModel& model, BookmarksState& stat
                kit::TextLook::kMuted);
     return;
   }
-  static constexpr std::array<const char*, 2> kOrders = {"by severity", "by time"};
+  static constexpr std::array<const char*, 2> kOrders = {"worst first", "by time"};
   const std::array<std::string, 2> orders = {kOrders[0], kOrders[1]};
   const auto chosen =
       ui.choice("##Order", orders, state.is_by_time ? 1 : 0,
-                {"How they are sorted; severity is how many times its limit a moment is", ""});
+                {"How they are sorted: by how much more each is than what is worth a look in its "
+                 "kind, or by when it was",
+                 ""});
   if (chosen) state.is_by_time = *chosen == 1;
   std::vector<std::size_t> order = by_severity(model.moments);
   if (state.is_by_time) std::sort(order.begin(), order.end());

@@ -72,11 +72,15 @@ FileBrowserModel file_browser_model(std::span<const std::string> recents,
         std::any_of(model.places.begin(), model.places.end(),
                     [&folder](const FilePlace& place) { return place.folder == folder; });
     if (!is_known && model.places.size() < kMostFolders) {
-      model.places.push_back({name_of(folder), folder});
+      model.places.push_back(
+          {name_of(folder), folder, {}, kit::Icon::kFolder, name_of(parent_of(folder))});
     }
     if (model.recents.size() < kMostRecentFiles) {
-      model.recents.push_back(
-          {name_of(path), folder, fs::path(path).filename().string(), kit::Icon::kFile});
+      // Folders of one name are told apart.
+      const std::string above = fs::path(folder).parent_path().filename().string();
+      model.recents.push_back({name_of(path), folder, fs::path(path).filename().string(),
+                               kit::Icon::kFile,
+                               above.empty() ? name_of(folder) : above + "/" + name_of(folder)});
     }
   }
   if (!state.folder.empty()) {

@@ -17,6 +17,8 @@ namespace nadir {
 struct FilePlace {
   std::string title, folder, name = {};
   kit::Icon icon = kit::Icon::kFolder;
+  std::string detail =
+      {};  ///< The end of the path of the folder that it is in; empty for those that need none.
 };
 
 /// The folder that boxes of files show. What takes a disk has been done by a FolderReader.

@@ -48,6 +48,7 @@ void draw_place_rows(kit::Ui& ui,
     const bool is_here =
         place.name.empty() ? state.folder == place.folder && state.typed.empty() : false;
     const kit::ListRow look{
+        .detail = shortened(place.detail, 20),
         .icon = place.icon,
         .is_selected = is_here,
         .hint = {.text = place.name.empty() ? path : folder_of(path, home) + "/" + place.name}};
@@ -111,7 +112,7 @@ void draw_rows(kit::Ui& ui,
     if (input.was_double_clicked) opened = &entry;
     const bool is_pale = entry.kind == FileKind::kOther;
     const auto look = is_pale ? kit::TextLook::kMuted : kit::TextLook::kNormal;
-    ui.cell(kit::icon_text(icon_of(entry.kind)) + "  " + entry.name, look);
+    ui.icon_cell(icon_of(entry.kind), entry.name, look);
     ui.cell(is_pale ? "" : std::string(enum_name(entry.kind)), kit::TextLook::kMuted);
     ui.cell(when_text(entry.changed_s), kit::TextLook::kMutedNumber);
     ui.cell(entry.is_folder ? "" : file_size_text(entry.bytes), kit::TextLook::kMutedNumber);

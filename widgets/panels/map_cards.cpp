@@ -138,6 +138,11 @@ double map_tools_width(const kit::Ui& ui) {
   return ui.px(8.0 + kToolSize + 2.0 * kToolPadding + 4.0);
 }
 
+kit::Rect beside_map_tools(const kit::Ui& ui, const kit::Rect& map) {
+  const double tools = std::min(map_tools_width(ui), map.width);
+  return {map.left + tools, map.top, map.width - tools, map.height};
+}
+
 Actions draw_map_tools(kit::Ui& ui, const MapViewModel& model, const kit::Rect& map) {
   const MapLook& look = model.look;
   std::vector<kit::Tool> tools;

@@ -11,6 +11,8 @@ namespace nadir {
 [[nodiscard]] Actions draw_map_cards(kit::Ui& ui, const MapViewModel& model, const kit::Rect& map);
 /// What the tools cover along the left border, pixels.
 [[nodiscard]] double map_tools_width(const kit::Ui& ui);
+/// The place of a map without what they cover; of a split one that is the whole of it, for only its left half has tools.
+[[nodiscard]] kit::Rect beside_map_tools(const kit::Ui& ui, const kit::Rect& map);
 /// What a click of the right button on the map opens. Call it after the area was made.
 [[nodiscard]] Actions draw_map_menu(kit::Ui& ui,
                                     const std::string& name,

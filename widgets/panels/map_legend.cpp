@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <tuple>
 
 #include "core/session/map_parts.h"
@@ -31,12 +30,6 @@ bool knows(const RunDocument& run, PoseSource source) {
   return !run.steps.empty();
 }
 
-bool are_alike(Rgba one, Rgba other) {
-  constexpr int kHardlyApart = 50;  // of 255, in every channel
-  return std::max({std::abs(one.red - other.red), std::abs(one.green - other.green),
-                   std::abs(one.blue - other.blue)}) < kHardlyApart;
-}
-
 /// Whether a step's topview lies on the map where the user wants it.
 bool lays_topview(const RunStep& step, PoseSource at) {
   return step.topview && !step.topview->cells.empty() && pose_of(step, at).has_value();
@@ -44,8 +37,11 @@ bool lays_topview(const RunStep& step, PoseSource at) {
 
 class LegendMaker {
  public:
-  LegendMaker(const MapViewModel& model, const std::vector<int>& shown, const Theme& theme)
-      : model_(model), theme_(theme) {
+  LegendMaker(const MapViewModel& model,
+              const std::vector<int>& shown,
+              const SeenClasses& seen,
+              const Theme& theme)
+      : model_(model), seen_(seen), theme_(theme) {
     for (const MapRun& run : model.runs) {
       if (run.document && std::find(shown.begin(), shown.end(), run.number) != shown.end()) {
         runs_.push_back(&run);
@@ -127,7 +123,7 @@ class LegendMaker {
         {"unknown to the map", theme_.line, LegendEntry::Kind::kOutlinedBar, theme_.muted});
   }
 
-  /// Of the map where there is one, so that the legend rests while topviews change.
+  /// Of the map, and those that topviews have shown up to now: the legend rests while topviews change, and only grows.
   void add_classes() {
     // Labels lie in the place of a picture that there is not.
     const bool shows_labels =
@@ -140,23 +136,19 @@ class LegendMaker {
       for (ClassId id = 0; id < kClassCount; ++id) {
         is_there.at(id) = model_.map->statistics().cells.at(id) > 0;
       }
-    } else if (model_.step && model_.step->topview) {
-      for (ClassId id = 0; id < kClassCount; ++id) {
-        is_there.at(id) = !model_.step->topview->of_class(id).empty();
-      }
+    }
+    for (ClassId id = 0; shows_seen && id < kClassCount; ++id) {
+      is_there.at(id) = is_there.at(id) || seen_.is_seen.at(id);
     }
     for (ClassId id = 0; id < kClassCount; ++id) {
       if (!is_there.at(id) || class_colour(id).alpha == 0) continue;
-      // What is as dark or as light as the plate has an outline.
-      const bool is_hard_to_see = are_alike(class_colour(id), theme_.page);
-      entries_.push_back(
-          {std::string(class_info(id).name), class_colour(id),
-           is_hard_to_see ? LegendEntry::Kind::kOutlinedBar : LegendEntry::Kind::kBar,
-           is_hard_to_see ? theme_.muted : Rgba{0, 0, 0, 0}});
+      entries_.push_back(legible_entry(
+          {std::string(class_info(id).name), class_colour(id), LegendEntry::Kind::kBar}, theme_));
     }
   }
 
   const MapViewModel& model_;
+  const SeenClasses& seen_;
   const Theme& theme_;
   std::vector<const MapRun*> runs_;
   bool has_particles_ = false, has_topview_ = false;
@@ -183,7 +175,7 @@ LegendRows rows_within(const std::vector<double>& widths, double most, double px
 
 double entry_width(const std::string& name, double px) {
   TextStyle style;
-  style.size_px = 8.5 * px;
+  style.size_px = kLegendTextPt * px;
   return 20.0 * px + measure_text(name, style).width;
 }
 
@@ -238,9 +230,18 @@ void renew_fit(LegendFit& fit,
 
 std::vector<LegendEntry> map_legend(const MapViewModel& model,
                                     const std::vector<int>& shown,
+                                    const SeenClasses& seen,
                                     const Theme& theme,
                                     bool with_classes) {
-  return LegendMaker(model, shown, theme).make(with_classes);
+  return LegendMaker(model, shown, seen, theme).make(with_classes);
+}
+
+void SeenClasses::add(const std::string& of_run, const RunStep& step) {
+  if (of_run != run) *this = {of_run, {}};
+  if (!step.topview) return;
+  for (ClassId id = 0; id < kClassCount; ++id) {
+    if (!step.topview->of_class(id).empty()) is_seen.at(id) = true;
+  }
 }
 
 PageRect draw_map_legend(Canvas& canvas,

@@ -47,8 +47,10 @@ void draw_particle_ring(Canvas& canvas,
                         const Theme& theme);
 
 /// What lies on the map means: lines, particles, agreement, the surface's scale, classes; only what is in sight.
+/// @param seen  By the topviews of the active run, beside those of the map.
 [[nodiscard]] std::vector<LegendEntry> map_legend(const MapViewModel& model,
                                                   const std::vector<int>& shown,
+                                                  const SeenClasses& seen,
                                                   const Theme& theme,
                                                   bool with_classes = true);
 /// On a plate at the lower right of the map, as narrow as it may be so that it is not high. Where it has no room its last

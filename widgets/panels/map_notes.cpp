@@ -86,7 +86,7 @@ MapNote map_note(const MapViewModel& model) {
 Actions draw_map_note(kit::Ui& ui, const MapNote& note, const kit::Rect& map) {
   if (note.words.empty()) return {};
   // Between the tools and the north arrow; the button goes below the words where there is no room beside them.
-  const double left = map.left + map_tools_width(ui);
+  const double left = beside_map_tools(ui, map).left;
   const double room = map.right() - ui.px(40.0) - left;
   const bool has_button = !note.button.empty();
   const double padding = ui.px(6.0);
@@ -137,11 +137,12 @@ void draw_pane_name(Canvas& canvas,
                     const MapFrame& frame,
                     const MapViewModel& model,
                     const MapRun& run,
+                    const MapRun* other,
                     double aside_px,
                     const Theme& theme) {
   const double px = frame.px_per_pt;
   TextStyle style;
-  style.size_px = 9.5 * px;
+  style.size_px = 9.0 * px;  // sharp: the window's small text
   style.colour = theme.text;
   const double margin = 5.0 * px;
   const double dot = 12.0 * px;
@@ -160,7 +161,14 @@ void draw_pane_name(Canvas& canvas,
   }
   if (!fits(words)) return;
   std::string separator = ": ";
-  for (const std::string& thing : shown_things(model, run)) {
+  std::vector<std::string> things = shown_things(model, run);
+  if (other != nullptr) {
+    const std::vector<std::string> there = shown_things(model, *other);
+    std::erase_if(things, [&there](const std::string& thing) {
+      return std::find(there.begin(), there.end(), thing) != there.end();
+    });
+  }
+  for (const std::string& thing : things) {
     const std::string more = separator + thing;
     if (!fits(words + more)) break;
     words += more;

@@ -25,11 +25,13 @@ struct MapNote {
 /// What is drawn of a run on the map: "estimate", "particles", "topview at the truth". Only what is in sight.
 [[nodiscard]] std::vector<std::string> shown_things(const MapViewModel& model, const MapRun& run);
 /// Name of the run and what is drawn of it, as much as there is room for, on a plate at the upper left of a half of a split
-/// view. @param aside_px  What lies left of it.
+/// view. @param other  The run of the other half: what is drawn of both needs no words. Null: all is said.
+/// @param aside_px  What lies left of it.
 void draw_pane_name(Canvas& canvas,
                     const MapFrame& frame,
                     const MapViewModel& model,
                     const MapRun& run,
+                    const MapRun* other,
                     double aside_px,
                     const Theme& theme);
 

@@ -8,13 +8,17 @@
 #include "widgets/panels/map_cards.h"
 #include "widgets/panels/map_lines.h"
 #include "widgets/panels/map_notes.h"
+#include "widgets/panels/map_vehicle.h"
 #include "widgets/panels/picture_area.h"
+#include "widgets/views/legend.h"
 #include "widgets/views/map_furniture.h"
 
 namespace nadir {
 namespace {
 
 constexpr double kBookmarkPx = 7.0;  ///< Of the design: how near the mouse must be to a bookmark.
+/// Of the design: the size that the window's small text is made in, so that words on the map are as sharp.
+constexpr double kSharpText = 12.0;
 
 /// Bounds of all that the map could show at first: the runs, else the map.
 GroundBounds all_bounds(const MapViewModel& model, RunPathsCache& cache) {
@@ -86,6 +90,7 @@ void MapPaneView::draw_content() {
   draw_map_poses(drawing);
   draw_doings(frame);
   draw_furniture(frame);
+  if (pane_.is_main) point_to_vehicle(frame);
   name_bookmark();
 }
 
@@ -120,22 +125,28 @@ void MapPaneView::draw_doings(const MapFrame& frame) {
 void MapPaneView::draw_furniture(const MapFrame& frame) {
   Canvas& canvas = ui_.canvas();
   const Theme& theme = ui_.theme();
-  draw_scale_bar(canvas, frame, theme);
+  MapFrame sharp = frame;
+  sharp.px_per_pt = ui_.px(kSharpText) / kScaleBarTextPt;
+  draw_scale_bar(canvas, sharp, theme);
   draw_north_arrow(canvas, frame, theme);
   PageRect legend;
   if (model_.look.layer(Layer::kLegend).is_visible) {
-    // A half has no room for classes, which the layers' panel names as well.
-    const auto entries = map_legend(model_, pane_.shown, theme, !pane_.is_half);
-    legend = draw_map_legend(canvas, frame, entries, theme,
+    // Of two halves the second names the classes, which are those of both.
+    const bool with_classes = !pane_.is_half || !pane_.is_main;
+    sharp.px_per_pt = ui_.px(kSharpText) / kLegendTextPt;
+    const auto entries = map_legend(model_, pane_.shown, state_.seen_classes, theme, with_classes);
+    legend = draw_map_legend(canvas, sharp, entries, theme,
                              pane_.is_main ? state_.legend : state_.second_legend);
   }
   if (legend.width > 0.0) {
     state_.legend_height_px = std::max(state_.legend_height_px, legend.top());
   }
   const double tools = pane_.is_main ? map_tools_width(ui_) : 0.0;
-  for (const MapRun& run : model_.runs) {
-    const bool is_named = pane_.is_half && run.number == pane_.shown.front();
-    if (is_named) draw_pane_name(canvas, frame, model_, run, tools, theme);
+  if (pane_.is_half && model_.runs.size() >= 2) {
+    const MapRun& active = model_.runs.back();
+    const MapRun& second = model_.runs[model_.runs.size() - 2];
+    const MapRun& run = pane_.is_main ? active : second;
+    draw_pane_name(canvas, frame, model_, run, pane_.is_main ? &second : &active, tools, theme);
   }
   if (!pane_.is_main) return;
   const auto share = [](double part, double whole) { return std::clamp(part / whole, 0.0, 0.4); };
@@ -144,6 +155,18 @@ void MapPaneView::draw_furniture(const MapFrame& frame) {
   state_.room.bottom =
       legend.width > 0.0 ? share(legend.top() - where_.bottom, where_.height) : 0.0;
   state_.room.top = pane_.is_half ? share(ui_.px(32.0), where_.height) : 0.0;
+}
+
+/// An arrow, where the vehicle is out of sight; its words lie over the map, and are drawn after it.
+void MapPaneView::point_to_vehicle(const MapFrame& frame) {
+  const double edge = ui_.px(8.0), above = ui_.px(48.0);  // the north arrow, names and notes
+  const double left = state_.room.left * where_.width + edge;
+  const double below = std::max(ui_.px(48.0), state_.room.bottom * where_.height + edge);
+  const PageRect free{where_.left + left, where_.bottom + below,
+                      std::max(1.0, where_.width - left - edge),
+                      std::max(1.0, where_.height - below - above)};
+  state_.away = vehicle_away(model_, frame, free);
+  if (state_.away) draw_vehicle_arrow(ui_, *state_.away);
 }
 
 /// The note of the bookmark under the mouse.

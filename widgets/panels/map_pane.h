@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "widgets/panels/map_view.h"
+#include "widgets/panels/picture_area.h"
 #include "widgets/views/map_overlays.h"
 
 namespace nadir {
@@ -31,10 +32,6 @@ class MapPaneView {
 
  private:
   void look_at(const Eigen::Vector2d& centre_in_enu_m, std::optional<double> metres_per_px = {});
-  /// The middle of the pixel that the mouse is on: the mouse is told by its upper left corner.
-  [[nodiscard]] static Eigen::Vector2d middle_of_pixel(const Eigen::Vector2d& mouse) {
-    return mouse + Eigen::Vector2d(0.5, -0.5);
-  }
   [[nodiscard]] Eigen::Vector2d under_mouse() const {
     return camera_.enu_from_page(middle_of_pixel(area_.mouse), where_);
   }
@@ -52,6 +49,7 @@ class MapPaneView {
   void draw_ground(const MapGround& ground);
   void draw_doings(const MapFrame& frame);
   void draw_furniture(const MapFrame& frame);
+  void point_to_vehicle(const MapFrame& frame);
   void name_bookmark();
 
   kit::Ui& ui_;

@@ -8,6 +8,7 @@
 #include "widgets/panels/map_cards.h"
 #include "widgets/panels/map_notes.h"
 #include "widgets/panels/map_pane.h"
+#include "widgets/panels/map_vehicle.h"
 #include "widgets/panels/work_card.h"
 
 namespace nadir {
@@ -16,6 +17,12 @@ Actions draw_map_view(kit::Ui& ui, const MapViewModel& model, MapViewState& stat
   const auto scope = ui.scope("Map");
   state.readout.reset();
   state.legend_height_px = 0.0;
+  state.away.reset();
+  const auto active = std::find_if(model.runs.begin(), model.runs.end(),
+                                   [](const MapRun& run) { return run.is_active; });
+  if (model.step && active != model.runs.end() && active->document) {
+    state.seen_classes.add(active->document->path.string(), *model.step);
+  }
   std::vector<std::shared_ptr<const RunDocument>> documents;
   for (const MapRun& run : model.runs) documents.push_back(run.document);
   state.paths.keep_only(documents);
@@ -51,6 +58,10 @@ Actions draw_map_view(kit::Ui& ui, const MapViewModel& model, MapViewState& stat
     asked = MapPaneView(ui, model, state, {"Ground", all, {room.width, room.height}, true}).draw();
   }
   join(draw_map_tools(ui, model, room));
+  if (state.away) {
+    const kit::Rect page{room.left, room.top, state.where.width, state.where.top()};
+    join(draw_vehicle_plate(ui, *state.away, page));
+  }
   join(draw_map_cards(ui, model, room));
   join(draw_map_note(ui, map_note(model), room));
   if (model.work) join(draw_work_card(ui, *model.work, room));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -78,6 +79,21 @@ struct LegendFit {
   double width = 0.0, height = 0.0;
 };
 
+/// Where the vehicle (the active run's estimate at the cursor) is when it is out of sight.
+struct VehicleAway {
+  PageRect free;            ///< The part of the map's page that controls leave.
+  Eigen::Vector2d tip;      ///< Of an arrow at the border of that part, pointing to the vehicle.
+  Eigen::Vector2d along;    ///< The arrow's direction on the page, of length 1.
+  double distance_m = 0.0;  ///< From the map's middle.
+};
+
+/// Classes that the topviews of a run have shown, so that a legend that is looked at only grows.
+struct SeenClasses {
+  std::string run;  ///< Its path.
+  std::array<bool, kClassCount> is_seen{};
+  void add(const std::string& of_run, const RunStep& step);
+};
+
 struct MapViewState {
   /// Draws the ground and gives its texture, bottom row first; called while the view is drawn, so that ground and lines never
   /// part. Empty: nothing lies below the lines.
@@ -92,6 +108,8 @@ struct MapViewState {
 
   RunPathsCache paths;
   LegendFit legend, second_legend;  ///< Of the only or first map, and of the second.
+  SeenClasses seen_classes;         ///< Of the active run.
+  std::optional<VehicleAway> away;  ///< In this frame, on the only or first map.
   std::string grabbing_pane;        ///< Map whose ground a drag holds; empty: none.
   Eigen::Vector2d grabbed_in_enu_m =
       Eigen::Vector2d::Zero();  ///< The place of the ground that it holds.

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/session/moment_explanation.h"
+
 namespace nadir {
 namespace {
 
@@ -17,7 +19,8 @@ using kit::TextLook;
 
 /// In the order of MomentKind.
 constexpr std::array<MomentKindLook, 6> kKindLooks = {{
-    {"largest error", "The estimate was far from the truth", Icon::kChart, TextLook::kBad},
+    {"largest error", "Errors are larger than usual in this run, and here the largest",
+     Icon::kChart, TextLook::kBad},
     {"high NEES",
      "The error was more than the filter's covariance makes likely: NEES of the step above 16.3, "
      "the "
@@ -36,8 +39,13 @@ const MomentKindLook& moment_kind_look(MomentKind kind) {
   return kKindLooks.at(static_cast<std::size_t>(kind));
 }
 
-MomentMark moment_mark(MomentKind kind) {
-  switch (moment_kind_look(kind).look) {
+TextLook moment_look(const WorstMoment& moment) {
+  const TextLook of_kind = moment_kind_look(moment.kind).look;
+  return of_kind == TextLook::kBad && moment.is_near_truth ? TextLook::kWarning : of_kind;
+}
+
+MomentMark moment_mark(const WorstMoment& moment) {
+  switch (moment_look(moment)) {
     case TextLook::kGood:
       return MomentMark::kDisc;
     case TextLook::kWarning:
@@ -47,24 +55,24 @@ MomentMark moment_mark(MomentKind kind) {
   }
 }
 
-Rgba moment_colour(MomentKind kind, const Theme& theme) {
-  switch (moment_kind_look(kind).look) {
-    case TextLook::kGood:
+Rgba mark_colour(MomentMark mark, const Theme& theme) {
+  switch (mark) {
+    case MomentMark::kDisc:
       return theme.good;
-    case TextLook::kWarning:
+    case MomentMark::kHollowDiamond:
       return theme.warning;
-    default:
-      return theme.bad;
+    case MomentMark::kFilledDiamond:
+      break;
   }
+  return theme.bad;
 }
 
 void draw_moment_mark(Canvas& canvas,
                       const Eigen::Vector2d& at,
                       double half_px,
-                      MomentKind kind,
+                      MomentMark mark,
                       const Theme& theme) {
-  const Rgba colour = moment_colour(kind, theme);
-  const MomentMark mark = moment_mark(kind);
+  const Rgba colour = mark_colour(mark, theme);
   if (mark == MomentMark::kDisc) {
     constexpr int kCorners = 12;
     std::array<Eigen::Vector2d, kCorners> disc;
@@ -85,19 +93,31 @@ void draw_moment_mark(Canvas& canvas,
   if (mark == MomentMark::kHollowDiamond) canvas.fill(diamond(0.5 * half_px), theme.window);
 }
 
+std::string moment_words(const WorstMoment& moment) {
+  if (moment.kind == MomentKind::kLargestError) {
+    return "largest error of this stretch: " + moment.words;
+  }
+  const std::string_view name = moment_kind_look(moment.kind).name;
+  // "lost: 5.3 m off" says it itself.
+  if (moment.words.starts_with(name)) return moment.words;
+  return fmt::format("{}: {}", name, moment.words);
+}
+
 std::vector<std::string> mark_key_lines() {
-  const auto names = [](MomentMark mark) {
+  const auto names = [](TextLook look) {
     std::string all;
-    for (std::size_t i = 0; i < kKindLooks.size(); ++i) {
-      if (moment_mark(static_cast<MomentKind>(i)) != mark) continue;
-      all += (all.empty() ? "" : ", ") + std::string(kKindLooks.at(i).name);
+    for (const MomentKindLook& kind : kKindLooks) {
+      if (kind.look == look) all += (all.empty() ? "" : ", ") + std::string(kind.name);
     }
     return all;
   };
+  const ExplanationRules near;
   return {"Marks on the timeline",
-          "full red diamond: " + names(MomentMark::kFilledDiamond),
-          "hollow amber diamond: " + names(MomentMark::kHollowDiamond),
-          "green disc: " + names(MomentMark::kDisc),
+          "full red diamond, wrong: " + names(TextLook::kBad),
+          "hollow amber diamond, doubtful: " + names(TextLook::kWarning),
+          fmt::format("    or one of the above within {:g} m and {:g}° of the truth", near.near_m,
+                      near.near_deg),
+          "green disc: " + names(TextLook::kGood),
           "blue flag: your bookmark",
           "click one to go there"};
 }
@@ -111,9 +131,12 @@ std::vector<std::size_t> by_severity(std::span<const WorstMoment> moments) {
   return order;
 }
 
-std::string severity_words(double severity) {
-  return fmt::format("severity {:.{}f}: so many times the limit of its kind", severity,
-                     severity < 9.95 ? 1 : 0);
+std::string severity_words(const WorstMoment& moment) {
+  const double severity = moment.severity;
+  if (moment.kind == MomentKind::kFound) return "";
+  if (severity < 0.95) return "the largest of this run, and small";
+  if (severity < 1.05) return "just worth a look";
+  return fmt::format("{:.{}f} times what is worth a look", severity, severity < 9.95 ? 1 : 0);
 }
 
 }  // namespace nadir

@@ -22,14 +22,19 @@ struct MomentKindLook {
       kit::TextLook::kMuted;  ///< What is wrong is bad, what is doubtful a warning.
 };
 [[nodiscard]] const MomentKindLook& moment_kind_look(MomentKind kind);
+/// As its kind; but of an estimate that "why here?" calls near the truth nothing is wrong, only doubtful.
+[[nodiscard]] kit::TextLook moment_look(const WorstMoment& moment);
 
-/// The mark of a kind on the timeline: its shape tells what its colour does.
+/// A mark on the timeline: its shape tells what its colour does.
 enum class MomentMark { kFilledDiamond, kHollowDiamond, kDisc };
-[[nodiscard]] MomentMark moment_mark(MomentKind kind);
-[[nodiscard]] Rgba moment_colour(MomentKind kind, const Theme& theme);
+[[nodiscard]] MomentMark moment_mark(const WorstMoment& moment);
+[[nodiscard]] Rgba mark_colour(MomentMark mark, const Theme& theme);
 /// @param at  Its centre on the page. @param half_px  From there to its corners.
 void draw_moment_mark(
-    Canvas& canvas, const Eigen::Vector2d& at, double half_px, MomentKind kind, const Theme& theme);
+    Canvas& canvas, const Eigen::Vector2d& at, double half_px, MomentMark mark, const Theme& theme);
+
+/// What is marked, in words for people: "largest error of this stretch: 3.2 m off, 95 % ellipse 4.1 m".
+[[nodiscard]] std::string moment_words(const WorstMoment& moment);
 
 /// What the marks of the timeline mean, a line each; the first is a heading.
 [[nodiscard]] std::vector<std::string> mark_key_lines();
@@ -37,7 +42,7 @@ void draw_moment_mark(
 /// Indices of moments from the most severe on; of equals the earlier first.
 [[nodiscard]] std::vector<std::size_t> by_severity(std::span<const WorstMoment> moments);
 
-/// "3.2 times its limit": what a severity says.
-[[nodiscard]] std::string severity_words(double severity);
+/// "3.2 times what is worth a look": what a severity says; empty of what is right again.
+[[nodiscard]] std::string severity_words(const WorstMoment& moment);
 
 }  // namespace nadir

@@ -8,6 +8,7 @@
 #include "core/base/angle.h"
 #include "core/session/moment_explanation.h"
 #include "widgets/panels/map_geometry.h"
+#include "widgets/panels/run_labels.h"
 
 namespace nadir {
 namespace {
@@ -47,6 +48,7 @@ MomentModel moment_model(const Session& session) {
   const OpenRun* const run = session.active_run();
   if (run == nullptr) return model;
   model.run_name = run->name;
+  model.colour = active_colour(session.view());
   model.document = run->document;
   model.is_reading = !run->document;
   model.has_flight = session.flight() != nullptr;

@@ -14,6 +14,7 @@ namespace nadir {
 /// The moment at the cursor as panels speak of it: of the active run.
 struct MomentModel {
   std::string run_name;
+  std::size_t colour = 0;                       ///< Of run_colour().
   std::shared_ptr<const RunDocument> document;  ///< Null: no run, or being read.
   std::optional<std::size_t> index;             ///< Of the step in the document.
   std::shared_ptr<const RunStep> step;          ///< With topview and particles; null until decoded.

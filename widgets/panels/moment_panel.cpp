@@ -74,7 +74,7 @@ void draw_seen_picture(kit::Ui& ui,
   ui.mouse_tooltip(words);
 }
 
-void draw_agreement_table(kit::Ui& ui, const SeenMoment& moment) {
+void draw_agreement_table(kit::Ui& ui, const SeenMoment& moment, Rgba estimate_colour) {
   if (moment.at_estimate.of_cell.empty()) {
     ui.text(!moment.map ? "open a map to compare with" : "nothing to compare",
             kit::TextLook::kMuted);
@@ -110,7 +110,7 @@ void draw_agreement_table(kit::Ui& ui, const SeenMoment& moment) {
                             const std::optional<CellAgreement::Count>& truth) {
     ui.row(name);
     ui.cell(name);
-    bar(estimate, theme.estimate);
+    bar(estimate, estimate_colour);
     if (truth) bar(*truth, theme.muted);
   };
   for (ClassId id = 0; id < kClassCount; ++id) {
@@ -144,7 +144,7 @@ Actions draw_moment_panel(kit::Ui& ui, const MomentModel& model, MomentPanelStat
     draw_patches(ui, seen, state.texture_of);
   }
   if (const auto agreement = ui.section("Agreement by class")) {
-    draw_agreement_table(ui, seen);
+    draw_agreement_table(ui, seen, run_colour(ui.theme(), model.colour));
   }
   return {};
 }

@@ -39,7 +39,8 @@ void draw_seen_picture(kit::Ui& ui,
 
 /// Bars of the share of cells that agree, a class a row, at the estimate and at the truth: the classes that were seen on
 /// known ground.
-void draw_agreement_table(kit::Ui& ui, const SeenMoment& moment);
+/// @param estimate  Colour of the run.
+void draw_agreement_table(kit::Ui& ui, const SeenMoment& moment, Rgba estimate);
 
 /// Image with labels over it as strong as wished, labels, depth or confidence; or what is missing. @param is_large  It fills
 /// the room, and can be magnified.

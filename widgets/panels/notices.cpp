@@ -12,6 +12,7 @@ namespace nadir {
 namespace {
 
 constexpr const char* kMoreNotices = "more";
+constexpr double kMoreLine = 52.0;  ///< Height of the line that counts them; of the design.
 
 [[nodiscard]] kit::Level level_of(Notice::Kind kind) {
   switch (kind) {
@@ -43,7 +44,7 @@ constexpr const char* kMoreNotices = "more";
 /// How high a notice will be, about, with what parts it from the next one. Of the design: lengths as kit draws them.
 [[nodiscard]] double height_of_notice(const kit::Ui& ui, const Notice& notice, double width) {
   constexpr double kBeside = 108.0, kLine = 17.0, kLeastWords = 28.0, kAround = 24.0,
-                   kButtons = 36.0;
+                   kButtons = 44.0;
   const double words = std::max(ui.px(80.0), std::min(width, ui.px(400.0)) - ui.px(kBeside));
   const double lines = std::ceil(ui.text_width(notice.text) / (0.9 * words));  // words break early
   const double buttons = notice.remedy || !notice.details.empty() ? kButtons : 0.0;
@@ -54,7 +55,6 @@ constexpr const char* kMoreNotices = "more";
 [[nodiscard]] std::size_t count_with_room(const kit::Ui& ui,
                                           const std::vector<Notice>& all,
                                           const kit::Rect& inside) {
-  constexpr double kMoreLine = 52.0;
   double room = inside.height - ui.px(12.0);
   std::size_t count = 0;
   for (; count < all.size(); ++count) {
@@ -101,7 +101,10 @@ Actions draw_notices(kit::Ui& ui,
       state.shows_all ? with_room : std::min(with_room, NoticesModel::kMostShown);
   const auto first = model.all.end() - static_cast<std::ptrdiff_t>(count);
   std::vector<kit::Notice> shown;
-  if (auto more = line_of_more(model.all, with_room, count, state.shows_all)) {
+  const bool is_low =
+      count == 1 && height_of_notice(ui, model.all.back(), inside.width) + ui.px(12.0 + kMoreLine) >
+                        inside.height;
+  if (auto more = line_of_more(model.all, with_room, count, state.shows_all); more && !is_low) {
     shown.push_back(std::move(*more));
   }
   for (auto notice = first; notice != model.all.end(); ++notice) {

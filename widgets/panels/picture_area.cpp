@@ -29,7 +29,7 @@ void apply_gestures(const kit::AreaInput& area, double width, double height, Pic
   const PageRect page = area.page();
   PageRect where = picture_place(width, height, page, zoom);
   if (area.is_hovered && area.wheel.y() != 0.0) {
-    const Eigen::Vector2d middle = middle_under_mouse(area);
+    const Eigen::Vector2d middle = middle_of_pixel(area.mouse);
     const Eigen::Vector2d share = share_at(middle, where);
     zoom.factor =
         std::clamp(zoom.factor * std::pow(kZoomPerNotch, area.wheel.y()), 1.0, kMostPictureZoom);
@@ -72,7 +72,7 @@ PictureInput show(kit::Ui& ui,
   }
   outline(canvas, made.where, ui.theme().line);
   if (picture && made.area.is_hovered) {
-    const Eigen::Vector2d share = share_at(middle_under_mouse(made.area), made.where);
+    const Eigen::Vector2d share = share_at(middle_of_pixel(made.area.mouse), made.where);
     const Eigen::Vector2i pixel(static_cast<int>(std::floor(share.x() * width)),
                                 static_cast<int>(std::floor(share.y() * height)));
     if (picture.pixels->contains(pixel.x(), pixel.y())) made.pixel = pixel;
@@ -81,10 +81,6 @@ PictureInput show(kit::Ui& ui,
 }
 
 }  // namespace
-
-Eigen::Vector2d middle_under_mouse(const kit::AreaInput& area) {
-  return area.mouse + Eigen::Vector2d(0.5, -0.5);
-}
 
 Eigen::Vector2i pixel_of_other_size(const Eigen::Vector2i& pixel,
                                     const Eigen::Vector2i& size,

@@ -27,9 +27,11 @@ struct PictureZoom {
                                      const PageRect& page,
                                      const PictureZoom& zoom);
 
-/// The middle of the pixel that the mouse is on, on the area's page. The mouse is told by the pixel's upper left corner, and what is
+/// The middle of the pixel that the mouse is on, on an area's page. The mouse is told by the pixel's upper left corner, and what is
 /// drawn there is what lies at its middle.
-[[nodiscard]] Eigen::Vector2d middle_under_mouse(const kit::AreaInput& area);
+[[nodiscard]] inline Eigen::Vector2d middle_of_pixel(const Eigen::Vector2d& mouse) {
+  return mouse + Eigen::Vector2d(0.5, -0.5);
+}
 
 /// The pixel of a raster of another size that shows the middle of a pixel.
 [[nodiscard]] Eigen::Vector2i pixel_of_other_size(const Eigen::Vector2i& pixel,

@@ -66,6 +66,12 @@ std::vector<std::string> told_apart(std::span<const std::string> names) {
   return told;
 }
 
+std::size_t active_colour(const ViewState& view) {
+  const auto number = static_cast<std::size_t>(std::max(0, view.active_run));
+  if (number == 0 || number > view.runs.size()) return 0;
+  return static_cast<std::size_t>(std::max(0, view.runs[number - 1].colour));
+}
+
 bool is_incomplete(const RunDocument& run, bool is_live) {
   return !is_live && !run.is_complete && !run.steps.empty();
 }
@@ -76,19 +82,25 @@ std::string incomplete_words(const RunDocument& run, double flight_end_s) {
                      run.steps.size(), run.steps.size() == 1 ? "step" : "steps");
 }
 
-std::string span_words(const RunComparison& comparison, std::span<const std::string> names) {
+std::string span_words(const RunComparison& comparison,
+                       std::span<const std::string> names,
+                       const std::set<std::string>& live) {
   const ComparedSpan& span = comparison.span;
   const std::string each = "each number is over all of its own run, and none is marked as the best";
   if (!comparison.is_same_flight) return "Runs of different flights: " + each;
   if (!span.is_shared) return "These runs share no time of the flight: " + each;
   if (names.empty()) return {};
   const std::string when = fmt::format("{} to {}", clock_text(span.from_s), clock_text(span.to_s));
-  if (names.size() == 1) return "Over the whole run, " + when;
+  if (names.size() == 1) {
+    return (live.contains(names[0]) ? "Over the run so far, " : "Over the whole run, ") + when;
+  }
   if (!span.begins_last && !span.ends_first) return "Over all of these runs, " + when;
   std::string why;
   if (span.begins_last) why = names[*span.begins_last] + " begins there";
   if (span.ends_first) {
-    why += (why.empty() ? "" : ", ") + names[*span.ends_first] + " ends there";
+    const std::string& ends_first = names[*span.ends_first];
+    why += (why.empty() ? "" : ", ") + ends_first +
+           (live.contains(ends_first) ? " has come that far" : " ends there");
   }
   return fmt::format("Only over {}, which all of these runs cover: {}", when, why);
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/session/run_comparison.h"
+#include "core/session/view_state.h"
 
 namespace nadir {
 
@@ -21,6 +23,9 @@ namespace nadir {
 /// only between words, and only where that leaves something of each and makes it shorter.
 [[nodiscard]] std::vector<std::string> told_apart(std::span<const std::string> names);
 
+/// Number of the active run's colour, of run_colour(); 0 where no run is open.
+[[nodiscard]] std::size_t active_colour(const ViewState& view);
+
 /// Whether a run ended before its end: it was stopped or killed, or another program is still writing it.
 /// @param is_live  This program is writing it.
 [[nodiscard]] bool is_incomplete(const RunDocument& run, bool is_live);
@@ -31,9 +36,11 @@ namespace nadir {
 
 /// Which part of the flight the numbers of a comparison are over: "Over 00:00.0 to 00:43.0, which all of these runs cover: loop-2
 /// ends there". Times are the first run's.
-/// @param names  Of the runs, in the order of the comparison.
+/// A run that is still being made has come to where it ends now: "loop-2 has come that far".
+/// @param names  Of the runs, in the order of the comparison. @param live  Those of them that this program is making, by name.
 [[nodiscard]] std::string span_words(const RunComparison& comparison,
-                                     std::span<const std::string> names);
+                                     std::span<const std::string> names,
+                                     const std::set<std::string>& live = {});
 
 /// Which of the runs are the same up to where one went on from the other: "Up to 01:20.0 loop-2 has its steps from loop". Empty: none.
 /// @param runs  As compared. @param names  Of them.

@@ -55,29 +55,45 @@ std::string better_words(const ShownMetric& metric) {
   return metric.better < 0 ? "lower is better" : "higher is better";
 }
 
-std::optional<std::size_t> best_run(const ShownMetric& metric,
-                                    const MetricRow& row,
-                                    bool do_compete) {
-  if (metric.better != 0 || !do_compete) return row.best;
-  std::optional<std::size_t> best;
-  double least = 0.0;
+std::string metric_digits(const ShownMetric& metric, double value) {
+  return fmt::format("{:.{}f}", value * metric.factor, metric.decimals);
+}
+
+namespace {
+
+/// How far a value is from what is expected. A ratio for NEES, where twice as large is as wrong as half as large; a difference
+/// for shares.
+double away_from_expected(const ShownMetric& metric, double value) {
+  const double shown = value * metric.factor;
+  return metric.unit.empty() ? std::abs(std::log(std::max(shown, 1e-9) / metric.expected))
+                             : std::abs(shown - metric.expected);
+}
+
+}  // namespace
+
+std::vector<std::size_t> best_runs(const ShownMetric& metric,
+                                   const MetricRow& row,
+                                   bool do_compete) {
+  constexpr double kAsFar = 1e-9;
+  const auto away = [&](double value) { return away_from_expected(metric, value); };
+  if (!do_compete || (metric.better != 0 && row.best.empty())) return {};
+  std::optional<double> best;
+  if (metric.better != 0) best = row.values[row.best.front()];
   std::size_t known = 0;
-  bool is_shared = false;
-  for (std::size_t i = 0; i < row.values.size(); ++i) {
-    if (!row.values[i]) continue;
+  for (const auto& value : row.values) {
+    if (!value) continue;
     ++known;
-    // A ratio for NEES, where twice as large is as wrong as half as large; a difference for shares.
-    const double value = *row.values[i] * metric.factor;
-    const double away = metric.unit.empty()
-                            ? std::abs(std::log(std::max(value, 1e-9) / metric.expected))
-                            : std::abs(value - metric.expected);
-    if (best && away == least) is_shared = true;
-    if (best && away >= least) continue;
-    best = i;
-    least = away;
-    is_shared = false;
+    if (metric.better == 0 && (!best || away(*value) < away(*best))) best = value;
   }
-  return known < 2 || is_shared ? std::nullopt : best;
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; known >= 2 && i < row.values.size(); ++i) {
+    const auto& value = row.values[i];
+    if (!value) continue;
+    const bool shows_same = metric_digits(metric, *value) == metric_digits(metric, *best);
+    const bool is_as_far = metric.better == 0 && away(*value) - away(*best) < kAsFar;
+    if (shows_same || is_as_far) all.push_back(i);
+  }
+  return all;
 }
 
 }  // namespace nadir

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/session/run_comparison.h"
 
@@ -30,9 +31,13 @@ struct ShownMetric {
 /// "lower is better", "nearer to 95 is better".
 [[nodiscard]] std::string better_words(const ShownMetric& metric);
 
-/// Which run is the best by a metric; nothing where several are, or fewer than two are known, or they do not compete.
-[[nodiscard]] std::optional<std::size_t> best_run(const ShownMetric& metric,
-                                                  const MetricRow& row,
-                                                  bool do_compete);
+/// A value as the table shows it: "0.79", "87.5".
+[[nodiscard]] std::string metric_digits(const ShownMetric& metric, double value);
+
+/// Which runs are the best by a metric: that one, and those that show the same digits or are as far from what is expected.
+/// Empty where fewer than two are known, or they do not compete.
+[[nodiscard]] std::vector<std::size_t> best_runs(const ShownMetric& metric,
+                                                 const MetricRow& row,
+                                                 bool do_compete);
 
 }  // namespace nadir

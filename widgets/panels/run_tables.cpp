@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "widgets/panels/panel_text.h"
 #include "widgets/panels/run_labels.h"
@@ -13,8 +14,8 @@
 namespace nadir {
 namespace {
 
-constexpr double kBetweenColumns = 4.0, kMostTitle = 96.0, kSettingNames = 96.0,
-                 kWords = 72.0;  // of the design
+constexpr double kBetweenColumns = 4.0, kMostTitle = 96.0,
+                 kMostSettingName = 132.0;  // of the design
 /// Before the best of a row, which is also green: not everybody sees that.
 constexpr const char* kBestMark = "•";
 
@@ -83,8 +84,8 @@ std::vector<kit::Column> columns_of(const kit::Ui& ui,
 }
 
 /// As the table shows it, with its mark.
-std::string metric_digits(const ShownMetric& metric, double value, bool is_best) {
-  return fmt::format("{}{:.{}f}", is_best ? kBestMark : "", value * metric.factor, metric.decimals);
+std::string marked_digits(const ShownMetric& metric, double value, bool is_best) {
+  return (is_best ? kBestMark : "") + metric_digits(metric, value);
 }
 
 const MetricRow* row_of_metric(const RunsState& state, const ShownMetric& metric) {
@@ -100,7 +101,7 @@ void draw_metric(kit::Ui& ui,
                  const RunColumns& part) {
   const MetricRow* const row = row_of_metric(state, metric);
   if (row == nullptr) return;
-  const auto best = best_run(metric, *row, state.comparison.do_compete());
+  const auto best = best_runs(metric, *row, state.comparison.do_compete());
   ui.row(std::string(metric.name));
   ui.cell(std::string(metric.statistic), kit::TextLook::kMuted);
   const std::string help = fmt::format("{}; {}", metric.help, better_words(metric));
@@ -112,10 +113,13 @@ void draw_metric(kit::Ui& ui,
       ui.hint({"Not known for this run", ""});
       continue;
     }
-    const bool is_best = best == i;
-    ui.number_cell(metric_digits(metric, *value, is_best),
+    const bool is_best = std::count(best.begin(), best.end(), i) > 0;
+    ui.number_cell(marked_digits(metric, *value, is_best),
                    is_best ? kit::TextLook::kGood : kit::TextLook::kNumber);
-    if (is_best) ui.hint({"The best of these runs: " + better_words(metric), ""});
+    if (!is_best) continue;
+    ui.hint({(best.size() > 1 ? "Shares the best of these runs: " : "The best of these runs: ") +
+                 better_words(metric),
+             ""});
   }
 }
 
@@ -152,10 +156,35 @@ void explain_setting(kit::Ui& ui, const SettingDifference& setting) {
   if (!words.empty()) ui.hint({words, ""});
 }
 
+std::string label_of_setting(const SettingDifference& setting) {
+  return setting.unit.empty() ? setting.name : fmt::format("{} [{}]", setting.name, setting.unit);
+}
+
+/// Whether a value is words, which no column has room for.
+bool has_words_for_values(const SettingDifference& setting) {
+  const auto are_words = [](const auto& value) {
+    return value && value->find(' ') < value->size();
+  };
+  return std::any_of(setting.values.begin(), setting.values.end(), are_words);
+}
+
+/// A line a run, each as long as it needs to be.
+void draw_wordy_setting(kit::Ui& ui,
+                        const RunsModel& model,
+                        const RunsState& state,
+                        const SettingDifference& setting) {
+  const auto scope = ui.scope(setting.name);
+  ui.text(label_of_setting(setting), kit::TextLook::kMuted);
+  explain_setting(ui, setting);
+  const std::vector<std::string> titles = titles_of(model, state);
+  for (std::size_t i = 0; i < setting.values.size() && i < titles.size(); ++i) {
+    ui.wrapped(fmt::format("{}: {}", titles[i], setting.values[i].value_or("–")));
+  }
+}
+
 void draw_setting(kit::Ui& ui, const SettingDifference& setting, const RunColumns& part) {
   ui.row(setting.name);
-  ui.cell(setting.unit.empty() ? setting.name : fmt::format("{} [{}]", setting.name, setting.unit),
-          kit::TextLook::kMuted);
+  ui.cell(label_of_setting(setting), kit::TextLook::kMuted);
   explain_setting(ui, setting);
   for (std::size_t i = part.first; i < part.end; ++i) {
     const bool is_idle = i < setting.no_effect.size() && !setting.no_effect[i].empty();
@@ -165,23 +194,20 @@ void draw_setting(kit::Ui& ui, const SettingDifference& setting, const RunColumn
   }
 }
 
-void draw_setting_tables(kit::Ui& ui,
-                         const RunsModel& model,
-                         const RunsState& state,
-                         const std::vector<SettingDifference>& settings,
-                         const std::string& title) {
+void draw_setting_columns(kit::Ui& ui,
+                          const RunsModel& model,
+                          const RunsState& state,
+                          const std::vector<SettingDifference>& settings,
+                          const std::string& title) {
   if (settings.empty()) return;
-  double widest = 0.0;
+  double widest = 0.0, names = 0.0;
   for (const SettingDifference& setting : settings) {
+    names = std::max(names, ui.text_width(label_of_setting(setting)));
     for (const auto& value : setting.values) {
-      const std::string text = value.value_or("–");
-      const double width = ui.text_width(text, kit::TextLook::kNumber);
-      // Words may be cut, and are whole in their tooltips: no run loses its place beside others to them.
-      const bool are_words = text.find(' ') != std::string::npos;
-      widest = std::max(widest, are_words ? std::min(width, ui.px(kWords)) : width);
+      widest = std::max(widest, ui.text_width(value.value_or("–"), kit::TextLook::kNumber));
     }
   }
-  const double names = ui.px(kSettingNames);  // they may be cut, and are whole in their tooltips
+  names = std::min(std::ceil(names) + 1.0, ui.px(kMostSettingName));
   for (const RunColumns& part : parts_of(ui, model, state, std::ceil(widest) + 1.0, names)) {
     const auto columns = columns_of(ui, model, state, part, kit::Align::kRight);
     const std::string name = part.first == 0 ? title : fmt::format("{} from {}", title, part.first);
@@ -189,6 +215,21 @@ void draw_setting_tables(kit::Ui& ui,
     if (!table) return;
     for (const SettingDifference& setting : settings) draw_setting(ui, setting, part);
   }
+}
+
+/// Numbers and names in columns, and below them what is said in words.
+void draw_setting_tables(kit::Ui& ui,
+                         const RunsModel& model,
+                         const RunsState& state,
+                         std::vector<SettingDifference> settings,
+                         const std::string& title) {
+  const auto wordy = std::stable_partition(
+      settings.begin(), settings.end(),
+      [](const SettingDifference& one) { return !has_words_for_values(one); });
+  const std::vector<SettingDifference> in_words(wordy, settings.end());
+  settings.erase(wordy, settings.end());
+  draw_setting_columns(ui, model, state, settings, title);
+  for (const SettingDifference& setting : in_words) draw_wordy_setting(ui, model, state, setting);
 }
 
 }  // namespace
@@ -203,7 +244,11 @@ std::string name_of_run(const RunsModel& model, int number) {
 void draw_metrics(kit::Ui& ui, const RunsModel& model, const RunsState& state) {
   const auto section = ui.section("Errors");
   if (!section) return;
-  ui.wrapped(span_words(state.comparison, names_of(model, state)), kit::TextLook::kMuted);
+  std::set<std::string> live;
+  for (const RunsModel::Row& row : model.rows) {
+    if (row.is_live) live.insert(row.name);
+  }
+  ui.wrapped(span_words(state.comparison, names_of(model, state), live), kit::TextLook::kMuted);
   if (state.comparison.span.begins_last || state.comparison.span.ends_first) {
     ui.hint(
         {"Over different parts of a flight no numbers compare. Close the run that covers least to "
@@ -220,10 +265,11 @@ void draw_metrics(kit::Ui& ui, const RunsModel& model, const RunsState& state) {
     names = std::max(names, ui.text_width(std::string(metric.statistic)));
     const MetricRow* const row = row_of_metric(state, metric);
     if (row == nullptr) continue;
-    const auto best = best_run(metric, *row, state.comparison.do_compete());
+    const auto best = best_runs(metric, *row, state.comparison.do_compete());
     for (std::size_t i = 0; i < row->values.size(); ++i) {
       if (!row->values[i]) continue;
-      const std::string digits = metric_digits(metric, *row->values[i], best == i);
+      const bool is_best = std::count(best.begin(), best.end(), i) > 0;
+      const std::string digits = marked_digits(metric, *row->values[i], is_best);
       widest = std::max(widest, ui.text_width(digits, kit::TextLook::kNumber));
     }
   }

@@ -106,20 +106,22 @@ void draw_run_row(kit::Ui& ui, const RunsModel::Row& row, std::size_t count, Act
 void draw_divergences(kit::Ui& ui, const RunsModel& model, const RunsState& state, Actions& asked) {
   const auto section = ui.section("Parting");
   if (!section) return;
-  ui.wrapped("First " + divergence_words(), kit::TextLook::kMuted);
+  const std::string active = name_of_run(model, state.numbers.front());
+  ui.wrapped(fmt::format("Where a run first parts from {}: {}", active, divergence_words()),
+             kit::TextLook::kMuted);
   for (std::size_t i = 1; i < state.numbers.size(); ++i) {
     const int number = state.numbers[i];
     const auto scope = ui.scope(fmt::format("{}", number));
     const auto& divergence = state.comparison.divergence[i];
     const std::string name = name_of_run(model, number);
     if (!divergence) {
-      ui.cut_text(name + " never leaves the active run", kit::TextLook::kMuted);
-      ui.hint({fmt::format("{} is nowhere {} from the active run", name, divergence_words()), ""});
+      ui.cut_text(fmt::format("{} nowhere parts from {}", name, active), kit::TextLook::kMuted);
+      ui.hint({fmt::format("{} and {} are nowhere {}", name, active, divergence_words()), ""});
       continue;
     }
     const double inside = ui.room().width - ui.px(8.0);
     kit::ListRow row;
-    row.hint = {"Go to where " + name + " first leaves the active run", "", "",
+    row.hint = {fmt::format("Go to where {} first parts from {}", name, active), "", "",
                 "Parted is " + divergence_words()};
     if (ui.list_row("##go", row).was_clicked) asked.emplace_back(actions::GoToDivergence{number});
     ui.same_line(0.0);

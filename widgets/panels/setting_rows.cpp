@@ -78,6 +78,8 @@ std::vector<SettingRow> setting_rows(const RunOptions& draft,
   std::map<std::string, std::string> values;
   for (const OptionText& text : texts) values[text.name] = text.value;
   if (!prior.empty()) values["prior"] = prior;
+  std::map<std::string, std::string> of_cursor = values;
+  of_cursor["prior"] = kGoesOnPrior;
   const std::vector<OptionText> preset_texts = option_texts(preset);
   std::vector<SettingRow> rows;
   rows.reserve(texts.size());
@@ -96,6 +98,7 @@ std::vector<SettingRow> setting_rows(const RunOptions& draft,
     if (begins != kSettingGroups.end()) group = begins->title;
     row.group = group;
     row.no_effect = why_no_effect(row.name, values);
+    row.is_of_start = row.no_effect.empty() && !why_no_effect(row.name, of_cursor).empty();
     describe_value(row, value, field);
     rows.push_back(std::move(row));
   });

@@ -22,6 +22,8 @@ struct SettingRow {
   std::string base = "preset";  ///< Which of the two: "preset" or "run".
   std::string group;
   std::string no_effect;  ///< What keeps it from having any: "motion = scaled"; empty: it has one.
+  bool is_of_start =
+      false;  ///< It has one, but only on a run from the start: one from the cursor does not read it.
   double least = 0.0, most = 0.0;    ///< Of numbers; infinite where open.
   std::vector<std::string> choices;  ///< Of kChoice.
   [[nodiscard]] bool differs() const { return value != preset_value; }

@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "core/run/run_prior.h"
 #include "widgets/panels/settings_panel.h"
 #include "widgets/panels/shortcut_hint.h"
 
 namespace nadir {
-namespace {
-
-/// How a rerun of the active run from its start begins; empty where that run does not say it itself.
-std::string prior_of_rerun(const Session& session) {
-  const OpenRun* const run = session.active_run();
-  if (run == nullptr || !run->document) return {};
-  const RunHeader& header = run->document->header;
-  const auto prior = header.options.find(kPriorOption);
-  return prior == header.options.end() || !header.parent_run.empty() ? std::string()
-                                                                     : prior->second;
-}
-
-}  // namespace
-
 std::size_t changed_options(const Session& session) {
   if (session.view().draft.changed.empty()) return 0;
   const auto base = session.draft_base();
@@ -38,7 +23,7 @@ SettingsModel settings_model(const Session& session) {
   const auto base = session.draft_base();
   const auto draft = session.draft_options();
   if (draft && base) {
-    model.rows = setting_rows(*draft, *base, prior_of_rerun(session));
+    model.rows = setting_rows(*draft, *base, session.draft_prior());
     if (is_of_run) {
       for (SettingRow& row : model.rows) row.base = "run";
     }

@@ -34,6 +34,14 @@ std::string no_effect_words(const SettingRow& row) {
   return row.no_effect.empty() ? std::string() : "no effect while " + row.no_effect;
 }
 
+/// What stands below a row: why it has no effect, or not with both buttons. Empty: nothing.
+std::string words_below(const SettingRow& row) {
+  if (row.is_of_start) {
+    return "only From the start reads it: Rerun from here goes on with the recorded particles";
+  }
+  return no_effect_words(row);
+}
+
 /// The one thing that changing a control asks for; a value that is the preset's again is no change at all.
 void set_to(const SettingRow& row, const std::string& value, Actions& asked) {
   if (value == row.value) return;
@@ -153,9 +161,10 @@ void draw_setting_rows(kit::Ui& ui,
                        Actions& asked) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     draw_row(ui, *rows[i], state, asked);
-    const bool goes_on = i + 1 < rows.size() && rows[i + 1]->no_effect == rows[i]->no_effect;
-    if (rows[i]->no_effect.empty() || goes_on) continue;
-    ui.wrapped(no_effect_words(*rows[i]), kit::TextLook::kMuted);
+    const std::string words = words_below(*rows[i]);
+    const bool goes_on = i + 1 < rows.size() && words_below(*rows[i + 1]) == words;
+    if (words.empty() || goes_on) continue;
+    ui.wrapped(words, kit::TextLook::kMuted);
     ui.space(ui.px(4.0));
   }
 }

@@ -62,6 +62,7 @@ namespace {
 
 constexpr double kTextSize = 13.0, kSmallSize = 11.0, kTwoLines = 34.0;  // of the design
 constexpr double kSwatchWidth = 4.0, kSwatchHeight = 10.0, kSwatchGap = 4.0, kValueGap = 9.0;
+constexpr double kBeforeAxis = 14.0;  ///< Read-outs stay clear of the numbers of the axis.
 
 TextStyle words_style(const kit::Ui& ui, FontFace face, double size, Rgba colour) {
   TextStyle style;
@@ -138,7 +139,7 @@ void draw_gutter(const TimelineFrame& frame,
   small.align = TextAlign::kRight;
   const std::string high = fmt::format("{:g}", plot.high), low = fmt::format("{:g}", plot.low);
   const auto before = [&](const std::string& end) {
-    return has_ends ? right - measure_text(end, small).width - ui.px(6.0) : right;
+    return has_ends ? right - measure_text(end, small).width - ui.px(kBeforeAxis) : right;
   };
   canvas.push_clip({0.0, 0.0, right + ui.px(2.0), height});
   const double name_y =

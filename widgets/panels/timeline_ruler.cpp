@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "widgets/panels/moment_kinds.h"
 #include "widgets/panels/run_labels.h"
@@ -45,7 +46,7 @@ void draw_worst(const TimelineFrame& frame, Canvas& canvas, const kit::AreaInput
     const WorstMoment& moment = frame.model.moments[*index];
     if (moment.time_s < frame.axis.from_s || moment.time_s > frame.axis.to_s) continue;
     const double x = frame.axis.x_px(moment.time_s) - area.rect.left;
-    draw_moment_mark(canvas, {x, frame.ui.px(6.0)}, frame.ui.px(4.0), moment.kind,
+    draw_moment_mark(canvas, {x, frame.ui.px(6.0)}, frame.ui.px(4.0), moment_mark(moment),
                      frame.ui.theme());
   }
 }
@@ -60,24 +61,23 @@ void draw_key(const TimelineFrame& frame, Canvas& canvas, const kit::AreaInput& 
   const double right = frame.axis.left_px - area.rect.left - ui.px(8.0);
   double x = ui.px(8.0);
   const double y = ui.px(8.0);
-  const auto has_kind = [&frame](MomentMark mark) {
+  const auto has_mark = [&frame](MomentMark mark) {
     const auto& moments = frame.model.moments;
-    return std::any_of(moments.begin(), moments.end(), [mark](const WorstMoment& moment) {
-      return moment_mark(moment.kind) == mark;
-    });
+    return std::any_of(moments.begin(), moments.end(),
+                       [mark](const WorstMoment& moment) { return moment_mark(moment) == mark; });
   };
   struct Entry {
-    MomentKind kind;
+    MomentMark mark;
     const char* words;
   };
-  constexpr std::array<Entry, 3> kEntries = {{{MomentKind::kLargestError, "worst"},
-                                              {MomentKind::kLowAgreement, "doubtful"},
-                                              {MomentKind::kFound, "found"}}};
+  constexpr std::array<Entry, 3> kEntries = {{{MomentMark::kFilledDiamond, "wrong"},
+                                              {MomentMark::kHollowDiamond, "doubtful"},
+                                              {MomentMark::kDisc, "found"}}};
   for (const Entry& entry : kEntries) {
-    if (!has_kind(moment_mark(entry.kind))) continue;
+    if (!has_mark(entry.mark)) continue;
     const double width = ui.px(8.0) + measure_text(entry.words, style).width;
     if (x + width > right) return;
-    draw_moment_mark(canvas, {x, y + ui.px(4.0)}, ui.px(4.0), entry.kind, theme);
+    draw_moment_mark(canvas, {x, y + ui.px(4.0)}, ui.px(4.0), entry.mark, theme);
     canvas.text({std::floor(x + ui.px(8.0)), y}, entry.words, style);
     x += width + ui.px(14.0);
   }
@@ -124,9 +124,11 @@ std::optional<RulerMark> mark_at(const TimelineFrame& frame, double mouse_px) {
     nearest = RulerMark{time_s, std::move(words)};
   };
   for (const WorstMoment& moment : frame.model.moments) {
-    offer(moment.time_s,
-          {clock_text(moment.time_s), std::string(moment_kind_look(moment.kind).name), moment.words,
-           severity_words(moment.severity)});
+    std::vector<std::string> words = {clock_text(moment.time_s), moment_words(moment)};
+    if (std::string severity = severity_words(moment); !severity.empty()) {
+      words.push_back(std::move(severity));
+    }
+    offer(moment.time_s, std::move(words));
   }
   for (const Bookmark& bookmark : frame.model.bookmarks) {
     const std::string time = clock_text(bookmark.time_s) +

@@ -27,7 +27,7 @@ const Picture& picture_shown(const SeenMoment& moment, TopviewPanelState::Shown 
 }
 
 /// An arrow at the body, which looks up the page.
-void draw_body(kit::Ui& ui, const SeenMoment& moment, const PageRect& where) {
+void draw_body(kit::Ui& ui, const SeenMoment& moment, const PageRect& where, Rgba colour) {
   const Raster<ClassId>& labels = moment.topview.labels;
   if (labels.empty()) return;
   const Eigen::Vector2d at(where.left + where.width * moment.topview.body_column / labels.width(),
@@ -37,10 +37,9 @@ void draw_body(kit::Ui& ui, const SeenMoment& moment, const PageRect& where) {
       at + Eigen::Vector2d(0.0, size), at + Eigen::Vector2d(-0.6 * size, -0.7 * size),
       at + Eigen::Vector2d(0.0, -0.3 * size), at + Eigen::Vector2d(0.6 * size, -0.7 * size),
       at + Eigen::Vector2d(0.0, size)};
-  ui.canvas().fill(std::span(arrow).first(4), ui.theme().estimate_on_imagery);
-  ui.canvas().stroke(
-      arrow, {with_opacity(casing_over_imagery(ui.theme(), ui.theme().estimate_on_imagery), 0.8),
-              ui.px(1.0)});
+  ui.canvas().fill(std::span(arrow).first(4), colour);
+  ui.canvas().stroke(arrow,
+                     {with_opacity(casing_over_imagery(ui.theme(), colour), 0.8), ui.px(1.0)});
 }
 
 }  // namespace
@@ -73,7 +72,7 @@ Actions draw_topview_panel(kit::Ui& ui, const MomentModel& model, TopviewPanelSt
   const kit::Rect room = ui.room();
   const auto input = draw_picture(ui, "Topview picture", picture, state.texture_of, state.zoom,
                                   {room.width, std::max(ui.px(80.0), room.height)});
-  draw_body(ui, moment, input.where);
+  draw_body(ui, moment, input.where, run_colour_on_imagery(ui.theme(), model.colour));
   if (input.pixel) {
     const auto words = seen_cell_words(seen_cell(moment, *input.pixel));
     ui.mouse_tooltip(words);

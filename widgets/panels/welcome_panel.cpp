@@ -85,20 +85,24 @@ void draw_choice_words(kit::Ui& ui,
   return flight.camera ? "" : "It has no camera calibration, which localising takes.";
 }
 
-[[nodiscard]] Actions draw_choices(kit::Ui& ui, const WelcomeModel& model) {
-  Actions asked;
-  const auto columns = ui.columns("Choices", {1.0, 1.0, 1.0});
+[[nodiscard]] Actions draw_demo_choice(kit::Ui& ui, const WelcomeModel& model) {
   draw_choice_words(
       ui, kit::Icon::kPlane, "See how it works",
       "A flight over a small town, made and localised on this computer in about a minute.");
-  {
-    const auto pale = ui.disabled(!model.busy.empty(), model.busy);
-    if (ui.button("Open the demo", kit::ButtonLook::kPrimary,
-                  {.text = "Make the demo flight, localise it and open the run", .shortcut = {}},
-                  kit::Icon::kPlay)) {
-      asked.emplace_back(actions::OpenDemo{});
-    }
+  const auto pale = ui.disabled(!model.busy.empty(), model.busy);
+  if (ui.button("Open the demo", kit::ButtonLook::kPrimary,
+                {.text = "Make the demo flight, localise it and open the run", .shortcut = {}},
+                kit::Icon::kPlay)) {
+    return {actions::OpenDemo{}};
   }
+  return {};
+}
+
+[[nodiscard]] Actions draw_choices(kit::Ui& ui, const WelcomeModel& model) {
+  Actions asked;
+  const auto columns = ui.columns("Choices", {1.0, 1.0, 1.0});
+  // What has been chosen stands where it was offered.
+  asked = model.work ? draw_work(ui, *model.work) : draw_demo_choice(ui, model);
   ui.next_column();
   draw_choice_words(ui, kit::Icon::kFolderOpen, "Look at a flight of yours",
                     "A recorded run, a map, a flight recording, a figure or its recipe.");
@@ -190,12 +194,6 @@ Actions draw_welcome(kit::Ui& ui, const WelcomeModel& model) {
       "Replay a flight on its map, see where localising it went wrong and why, and try again with "
       "other settings.");
   ui.space(ui.px(24.0));
-  if (model.work) {
-    append(draw_work(ui, *model.work));
-    ui.space(ui.px(24.0));
-    ui.line();
-    ui.space(ui.px(16.0));
-  }
   append(draw_choices(ui, model));
   ui.space(ui.px(24.0));
   if (model.offer) {

@@ -1,9 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "widgets/panels/run_labels.h"
 #include "widgets/panels/why_panel.h"
 
 namespace nadir {
+
+namespace {
+
+/// What the timeline marks at a step; of several the most severe.
+std::optional<WorstMoment> mark_of(const OpenRun& run, int step) {
+  std::optional<WorstMoment> mark;
+  for (const WorstMoment& moment : run.moments) {
+    const bool is_here =
+        moment.step < run.document->steps.size() && run.document->steps[moment.step].step == step;
+    if (is_here && (!mark || moment.severity > mark->severity)) mark = moment;
+  }
+  return mark;
+}
+
+}  // namespace
 
 WhyModel why_model(const Session& session, MomentInquiry& inquiry) {
   WhyModel model;
@@ -12,6 +28,7 @@ WhyModel why_model(const Session& session, MomentInquiry& inquiry) {
   model.has_map = map != nullptr;
   if (run == nullptr) return model;
   model.run_name = run->name;
+  model.colour = active_colour(session.view());
   model.is_reading = !run->document || (map != nullptr && !map->index);
   model.has_step = session.step_index().has_value();
   model.is_playing = session.playback().is_playing;
@@ -31,10 +48,13 @@ WhyModel why_model(const Session& session, MomentInquiry& inquiry) {
   model.answer = inquiry.answer();
   model.is_computing = inquiry.is_working() || !step;
   model.is_answer_of_now = model.answer && step && model.answer->step == step;
+  if (model.answer && model.answer->step) {
+    model.mark = mark_of(*run, model.answer->step->step);
+  }
   return model;
 }
 
-VerdictHead verdict_head(MomentVerdict verdict) {
+VerdictHead verdict_head(MomentVerdict verdict, const std::optional<WorstMoment>& mark) {
   using kit::TextLook;
   switch (verdict) {
     case MomentVerdict::kNoEvidence:
@@ -42,7 +62,10 @@ VerdictHead verdict_head(MomentVerdict verdict) {
     case MomentVerdict::kNoTruth:
       return {"The truth is not known", TextLook::kNormal};
     case MomentVerdict::kFound:
-      return {"Found", TextLook::kGood};
+      if (mark && mark->kind != MomentKind::kFound) {
+        return {"Near the truth, but worth a look", TextLook::kWarning};
+      }
+      return {"Near the truth", TextLook::kGood};
     case MomentVerdict::kTruthFitsBetter:
       return {"Missed: the truth fits better", TextLook::kBad};
     case MomentVerdict::kMapMisleads:

@@ -8,6 +8,7 @@
 
 #include "widgets/panels/empty_state.h"
 #include "widgets/panels/map_geometry.h"
+#include "widgets/panels/moment_kinds.h"
 #include "widgets/panels/moment_panel.h"
 #include "widgets/panels/why_surface.h"
 
@@ -161,11 +162,16 @@ Actions draw_why_panel(kit::Ui& ui, const WhyModel& model, WhyState& state) {
   if (!answer.explanation) {
     return draw_empty_state(ui, {kit::Icon::kInfo, "No explanation", answer.error, {}, {}});
   }
-  const VerdictHead head = verdict_head(answer.explanation->verdict);
+  const VerdictHead head = verdict_head(answer.explanation->verdict, model.mark);
   ui.text(head.words, head.look);
   if (model.is_computing && !model.is_answer_of_now) {
     ui.same_line();
     ui.text("computing…", kit::TextLook::kMuted);
+  }
+  if (model.mark) {
+    ui.wrapped("Marked on the timeline: " + moment_words(*model.mark) + ".", kit::TextLook::kMuted);
+    ui.hint({std::string(moment_kind_look(model.mark->kind).meaning), "", "",
+             severity_words(*model.mark)});
   }
   ui.wrapped(answer.words);
   if (!answer.hold_words.empty()) {
@@ -180,7 +186,8 @@ Actions draw_why_panel(kit::Ui& ui, const WhyModel& model, WhyState& state) {
     draw_surface_and_patch(ui, model, state, asked);
   }
   if (const auto section = ui.section("Agreement by class")) {
-    draw_agreement_table(ui, state.seen.of(answer.step, answer.map, ui.theme_name()));
+    draw_agreement_table(ui, state.seen.of(answer.step, answer.map, ui.theme_name()),
+                         run_colour(ui.theme(), model.colour));
   }
   if (!moment.by_class.empty()) {
     if (const auto section = ui.section("Cost by class")) draw_class_costs(ui, moment);

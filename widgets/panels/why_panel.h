@@ -12,6 +12,7 @@ namespace nadir {
 
 struct WhyModel {
   std::string run_name;     ///< Empty: no run.
+  std::size_t colour = 0;   ///< Of run_colour().
   bool is_reading = false;  ///< Run or map are on their way.
   bool has_map = false;
   bool has_step = false;  ///< There is a step at the cursor, decoded or not.
@@ -20,6 +21,7 @@ struct WhyModel {
   std::shared_ptr<const MomentAnswer>
       answer;  ///< Of this step, or of one before it while that is computed; may be null.
   bool is_answer_of_now = false;
+  std::optional<WorstMoment> mark;  ///< That the timeline has at the answer's step.
 };
 /// Asks about the step at the cursor and takes what is known: call it only while the panel shows, for this is what makes
 /// the computer work. While a run plays, no surfaces are made.
@@ -40,11 +42,13 @@ struct WhyState {
 /// modes. Sections fold, and stay as they were folded.
 [[nodiscard]] Actions draw_why_panel(kit::Ui& ui, const WhyModel& model, WhyState& state);
 
-/// A verdict in a few words for the panel's head, and how it is coloured.
+/// A verdict in a few words for the panel's head, and how it is coloured: near the truth it is good, unless the timeline marks
+/// the moment.
 struct VerdictHead {
   std::string words;
   kit::TextLook look = kit::TextLook::kNormal;
 };
-[[nodiscard]] VerdictHead verdict_head(MomentVerdict verdict);
+[[nodiscard]] VerdictHead verdict_head(MomentVerdict verdict,
+                                       const std::optional<WorstMoment>& mark = {});
 
 }  // namespace nadir

@@ -47,8 +47,8 @@ void mark_ring(
   canvas.stroke(ring, {colour, width});
 }
 
-void draw_plane(
-    kit::Ui& ui, const MomentAnswer& answer, double side, WhyState& state, Actions& asked) {
+void draw_plane(kit::Ui& ui, const WhyModel& model, double side, WhyState& state, Actions& asked) {
+  const MomentAnswer& answer = *model.answer;
   const MomentSurface& surface = *answer.surface;
   const auto& values = state.shows_best_turn ? surface.best_turn : surface.plane;
   if (state.pictured.get() != &answer || state.pictured_best_turn != state.shows_best_turn) {
@@ -62,14 +62,15 @@ void draw_plane(
   Canvas& canvas = ui.canvas();
   const Theme& theme = ui.theme();
   const GridPlace middle = surface.place_of(surface.volume.centre_in_enu);
-  mark_ring(canvas, surface_point(surface, middle, input.where), ui.px(6.0),
-            theme.estimate_on_imagery, rim_of(theme, theme.estimate_on_imagery), ui.px(2.0));
+  const Rgba run_colour = run_colour_on_imagery(theme, model.colour);
+  mark_ring(canvas, surface_point(surface, middle, input.where), ui.px(6.0), run_colour,
+            rim_of(theme, run_colour), ui.px(2.0));
   if (surface.truth && surface.is_truth_inside) {
     mark_cross(canvas, surface_point(surface, *surface.truth, input.where), ui.px(5.0),
                theme.truth_on_imagery, rim_of(theme, theme.truth_on_imagery), ui.px(2.0));
   }
   if (!input.area.is_hovered) return;
-  const GridPlace place = surface_place(surface, middle_under_mouse(input.area), input.where);
+  const GridPlace place = surface_place(surface, middle_of_pixel(input.area.mouse), input.where);
   const ErrorSurfaceGrid& grid = surface.volume.grid;
   const int x = static_cast<int>(std::lround(place.x));
   const int y = static_cast<int>(std::lround(place.y));
@@ -92,7 +93,8 @@ void draw_plane(
 }
 
 /// The cost along the heading at the estimate's place: a picture of one row with the curve over it.
-void draw_turn(kit::Ui& ui, const MomentSurface& surface) {
+void draw_turn(kit::Ui& ui, const WhyModel& model) {
+  const MomentSurface& surface = *model.answer->surface;
   const double width = std::min(ui.room().width, ui.px(340.0));
   const auto input = ui.area("Turn", {width, ui.px(56.0)}, kit::Wheel::kScrolls);
   Canvas& canvas = ui.canvas();
@@ -120,10 +122,11 @@ void draw_turn(kit::Ui& ui, const MomentSurface& surface) {
     canvas.stroke(line, {colour, ui.px(1.5)});
   };
   if (surface.truth) mark(surface.truth->yaw, theme.truth_on_imagery);
-  mark(surface.place_of(surface.volume.centre_in_enu).yaw, theme.estimate_on_imagery);
+  mark(surface.place_of(surface.volume.centre_in_enu).yaw,
+       run_colour_on_imagery(theme, model.colour));
   outline(canvas, page, theme.line);
   if (!input.is_hovered) return;
-  const double place = count - 0.5 - middle_under_mouse(input).x() / page.width * count;
+  const double place = count - 0.5 - middle_of_pixel(input.mouse).x() / page.width * count;
   const auto i = static_cast<std::size_t>(
       std::clamp(std::lround(place), 0L, static_cast<long>(surface.turn.size()) - 1));
   const double turn_deg =
@@ -185,7 +188,6 @@ void draw_patch_choice(kit::Ui& ui, const WhyModel& model, double side, WhyState
 }  // namespace
 
 void draw_surface_and_patch(kit::Ui& ui, const WhyModel& model, WhyState& state, Actions& asked) {
-  const MomentAnswer& answer = *model.answer;
   const auto no_labels = ui.label_width(0.0);
   const double side = std::floor(std::min((ui.room().width - ui.px(12.0)) / 2.0, ui.px(150.0)));
   {
@@ -200,7 +202,7 @@ void draw_surface_and_patch(kit::Ui& ui, const WhyModel& model, WhyState& state,
                     "ring: estimate; cross: truth; white dots: particles",
                     ""});
       if (kind) state.shows_best_turn = *kind == 1;
-      draw_plane(ui, answer, side, state, asked);
+      draw_plane(ui, model, side, state, asked);
       state.pictured = model.answer;
     }
     ui.next_column();
@@ -211,7 +213,7 @@ void draw_surface_and_patch(kit::Ui& ui, const WhyModel& model, WhyState& state,
 void draw_surface_cuts(kit::Ui& ui, const WhyModel& model) {
   if (draw_no_surface(ui, model)) return;
   const MomentSurface& surface = *model.answer->surface;
-  draw_turn(ui, surface);
+  draw_turn(ui, model);
   const double turn_deg = Angle::radians(std::floor((surface.volume.grid.count_yaw - 1) / 2.0) *
                                          surface.volume.grid.step_rad)
                               .degrees();

@@ -11,6 +11,7 @@ namespace nadir {
 namespace {
 
 constexpr double kWorkCardWidth = 420.0, kWorkCardHeight = 144.0, kWorkCardPadding = 16.0;
+constexpr double kPercentWidth = 56.0;  ///< Of a bar, right of its words.
 
 /// "making the demo" as a heading has it.
 [[nodiscard]] std::string heading_of_work(const JobStatus& job) {
@@ -33,7 +34,10 @@ constexpr double kWorkCardWidth = 420.0, kWorkCardHeight = 144.0, kWorkCardPaddi
 Actions draw_work(kit::Ui& ui, const JobStatus& job) {
   const auto scope = ui.scope("Work");
   ui.heading(heading_of_work(job));
-  (void)ui.progress("##Progress", job.fraction, words_of_work(job), false);
+  const std::string words = words_of_work(job);
+  const bool fits = ui.text_width(words) + ui.px(kPercentWidth) <= ui.room().width;
+  (void)ui.progress("##Progress", job.fraction, fits ? words : std::string(), false);
+  if (!fits) ui.wrapped(words, kit::TextLook::kMuted);
   ui.space();
   if (ui.button("Cancel", kit::ButtonLook::kNormal, {.text = "Stop " + job.title})) {
     return {actions::CancelJob{job.number}};

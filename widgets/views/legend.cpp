@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/views/legend.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 namespace nadir {
 namespace {
 
-constexpr double kTextPt = 8.5;
 constexpr double kSamplePt = 16.0;
 constexpr double kRowPt = 13.0;
 constexpr double kBetweenPt = 12.0;  ///< One entry and the next.
@@ -22,7 +23,7 @@ std::pair<std::vector<Place>, double> lay_out(double width_px,
                                               std::span<const LegendEntry> entries,
                                               double px) {
   TextStyle style;
-  style.size_px = kTextPt * px;
+  style.size_px = kLegendTextPt * px;
   std::vector<Place> places;
   double left = 0.0;
   double top = 0.0;
@@ -180,7 +181,21 @@ void draw_sample(Canvas& canvas, const LegendEntry& entry, double left, double m
   }
 }
 
+bool are_hardly_apart(Rgba one, Rgba other) {
+  constexpr int kHardlyApart = 50;  // of 255, in every channel
+  return std::max({std::abs(one.red - other.red), std::abs(one.green - other.green),
+                   std::abs(one.blue - other.blue)}) < kHardlyApart;
+}
+
 }  // namespace
+
+LegendEntry legible_entry(LegendEntry entry, const Theme& theme) {
+  if (entry.kind == LegendEntry::Kind::kBar && are_hardly_apart(entry.colour, theme.page)) {
+    entry.kind = LegendEntry::Kind::kOutlinedBar;
+    entry.casing = theme.muted;
+  }
+  return entry;
+}
 
 double draw_legend(Canvas& canvas,
                    const PageRect& where,
@@ -189,7 +204,7 @@ double draw_legend(Canvas& canvas,
                    double px_per_pt) {
   const auto [places, height] = lay_out(where.width, entries, px_per_pt);
   TextStyle style;
-  style.size_px = kTextPt * px_per_pt;
+  style.size_px = kLegendTextPt * px_per_pt;
   style.colour = theme.text;
   const double cap_height = measure_text("0", style).cap_height;
   for (std::size_t i = 0; i < entries.size(); ++i) {

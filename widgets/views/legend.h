@@ -33,6 +33,11 @@ struct LegendEntry {
   friend bool operator==(const LegendEntry&, const LegendEntry&) = default;
 };
 
+/// The same; a bar whose colour is about that of the page has an outline.
+[[nodiscard]] LegendEntry legible_entry(LegendEntry entry, const Theme& theme);
+
+inline constexpr double kLegendTextPt = 8.5;
+
 /// Draws entries in rows from the upper left of `where`, as many in a row as fit.
 /// @returns the height that they took, pixels; nothing is drawn below `where`.
 double draw_legend(Canvas& canvas,

@@ -13,12 +13,11 @@ namespace nadir {
 namespace {
 
 constexpr double kPlateOpacity = 0.85;
-constexpr double kSmallTextPt = 8.0;
 
 TextStyle small_text(const Theme& theme, double px_per_pt, FontFace face) {
   TextStyle style;
   style.face = face;
-  style.size_px = kSmallTextPt * px_per_pt;
+  style.size_px = kScaleBarTextPt * px_per_pt;
   style.colour = theme.text;
   return style;
 }

@@ -8,6 +8,8 @@ namespace nadir {
 
 /// What tells a reader of a map how large it is and where: quiet, at the border, over any ground.
 
+inline constexpr double kScaleBarTextPt = 8.0;
+
 /// A bar of a round length (1, 2 or 5 times a power of ten, at most a quarter of the map's width) at the lower left, on a
 /// plate with its length.
 void draw_scale_bar(Canvas& canvas, const MapFrame& frame, const Theme& theme);

@@ -121,7 +121,8 @@ void draw_ellipses(Canvas& canvas,
                    const PathLook& look,
                    double outer_share) {
   if (!centre_in_enu_m.allFinite() || !covariance_m2.allFinite()) return;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance_m2);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+  axes.computeDirect(covariance_m2);
   if (axes.info() != Eigen::Success || axes.eigenvalues().minCoeff() <= 0.0) return;
   const Eigen::Matrix2d shape = axes.eigenvectors() * axes.eigenvalues().cwiseSqrt().asDiagonal();
   const double innermost = *std::min_element(sigmas.begin(), sigmas.end());

@@ -28,4 +28,13 @@ Raster<Rgba> colour_picture(const ColourRaster& colours) {
   return picture;
 }
 
+Raster<Rgba> colour_picture(const ImageRaster& pixels) {
+  Raster<Rgba> picture(pixels.width(), pixels.height());
+  std::transform(pixels.values().begin(), pixels.values().end(), picture.values().begin(),
+                 [](const ImagePixel& pixel) {
+                   return Rgba{pixel.red, pixel.green, pixel.blue, pixel.alpha};
+                 });
+  return picture;
+}
+
 }  // namespace nadir

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/map/image_look.h"
 #include "core/map/overhead_map_file.h"
 #include "core/map/semantic_classes.h"
 #include "widgets/canvas/canvas.h"
@@ -13,5 +14,7 @@ namespace nadir {
 [[nodiscard]] Raster<Rgba> class_picture(const Raster<ClassId>& labels);
 /// The same colours, opaque.
 [[nodiscard]] Raster<Rgba> colour_picture(const ColourRaster& colours);
+/// The same colours, as clear as they are.
+[[nodiscard]] Raster<Rgba> colour_picture(const ImageRaster& pixels);
 
 }  // namespace nadir

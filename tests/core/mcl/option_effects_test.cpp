@@ -197,6 +197,8 @@ TEST(OptionEffects, SayWhatIsInTheWay) {
   EXPECT_EQ(why_no_effect("along-noise", values), "");
   EXPECT_EQ(why_no_effect("blur-interval", values), "blur-position = 0 and blur-yaw = 0");
   EXPECT_EQ(why_no_effect("global-particles", values), "the start is known");
+  values["prior"] = std::string(kGoesOnPrior) + " 200 of loop.nadir";
+  EXPECT_EQ(why_no_effect("global-particles", values), "the run goes on with recorded particles");
   EXPECT_EQ(why_no_effect("particles", values), "");
   values["blur-yaw"] = "0.1";
   EXPECT_EQ(why_no_effect("blur-interval", values), "");

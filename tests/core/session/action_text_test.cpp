@@ -13,6 +13,12 @@ namespace action_text_test {
 using testing::AllOf;
 using testing::HasSubstr;
 
+struct NoAction {
+  static constexpr std::string_view kForm = "no-action";
+};
+static_assert(std::is_convertible_v<actions::Seek, Action>);
+static_assert(!std::is_convertible_v<NoAction, Action>, "a form makes no action");
+
 std::string again(const Action& action) {
   const auto parsed = parse_action(action_text(action));
   if (!parsed) return parsed.error().message;

@@ -58,7 +58,11 @@ TEST(RunComparison, OfEqualRunsFindsNoDifference) {
   EXPECT_THAT(comparison.divergence, ElementsAre(Eq(std::nullopt), Eq(std::nullopt)));
   for (const MetricRow& row : comparison.metrics) {
     EXPECT_EQ(row.values[0], row.values[1]) << row.key;
-    EXPECT_EQ(row.best, std::nullopt) << row.key;
+    if (row.better == 0 || !row.values[0]) {
+      EXPECT_THAT(row.best, IsEmpty()) << row.key;
+    } else {
+      EXPECT_THAT(row.best, ElementsAre(0U, 1U)) << row.key << ": none is better than the other";
+    }
   }
 }
 
@@ -202,17 +206,21 @@ TEST(RunComparison, MarksTheBestOfRunsThatCompete) {
   };
   const std::vector<Document> runs = {off(0.4), off(0.2), off(0.3)};
   const RunComparison comparison = compare_runs(runs);
-  EXPECT_EQ(metric(comparison, "estimate_position_rmse_m").best, 1U);
-  EXPECT_EQ(metric(comparison, "estimate_recall_1m").best, std::nullopt) << "all the same";
-  EXPECT_EQ(metric(comparison, "duration_s").best, std::nullopt) << "longer is not better";
+  EXPECT_THAT(metric(comparison, "estimate_position_rmse_m").best, ElementsAre(1U));
+  EXPECT_THAT(metric(comparison, "estimate_recall_1m").best, ElementsAre(0U, 1U, 2U));
+  EXPECT_THAT(metric(comparison, "duration_s").best, IsEmpty()) << "longer is not better";
   EXPECT_EQ(metric(comparison, "odometry_position_rmse_m").values[0], std::nullopt);
 
   const std::vector<Document> two = {off(1.5), off(0.2)};
-  EXPECT_EQ(metric(compare_runs(two), "estimate_recall_1m").best, 1U) << "higher is better";
+  EXPECT_THAT(metric(compare_runs(two), "estimate_recall_1m").best, ElementsAre(1U))
+      << "higher is better";
+  const std::vector<Document> tied = {off(1.5), off(0.2), off(0.2), off(0.3)};
+  EXPECT_THAT(metric(compare_runs(tied), "estimate_position_rmse_m").best, ElementsAre(1U, 2U))
+      << "all that share it";
   RunDocument elsewhere = made_run(300);
   elsewhere.header.flight_hash = "f2";
   const std::vector<Document> strangers = {off(0.4), RunDocument::from_steps(elsewhere)};
-  EXPECT_EQ(metric(compare_runs(strangers), "estimate_position_rmse_m").best, std::nullopt);
+  EXPECT_THAT(metric(compare_runs(strangers), "estimate_position_rmse_m").best, IsEmpty());
 }
 
 TEST(Divergence, IsTheFirstMomentFromWhichRunsStayApart) {

@@ -170,6 +170,40 @@ TEST_F(SessionRerunTest, WhatIsSeenStaysUntilTheNewRunHasAStepThatIsDecoded) {
   }
 }
 
+TEST_F(SessionRerunTest, LeavesTheCursorWhereSomebodyMovedItBeforeItsFirstStep) {
+  open_run();
+  ask_for_a_quick_run();
+  act("rerun start");
+  act("seek 2");
+  ASSERT_EQ(session_->view().active_run, 1);
+  const double wanted_s = session_->playback().time_s;
+  settle();
+  EXPECT_EQ(session_->view().active_run, 2);
+  EXPECT_EQ(session_->playback().time_s, wanted_s) << "neither its end nor where it was begun";
+}
+
+TEST_F(SessionRerunTest, UntilItIsSeenTheNextOneGoesByItInEveryWay) {
+  RerunTask task = SmallWorld::get().task(scratch_.path() / "lost.nadir");
+  task.prior = GlobalPrior{};
+  task.options.localiser.global_particle_count = 400;
+  ASSERT_TRUE(rerun(task, {}, [](RerunProgress) {}));
+  open_run();
+  EXPECT_EQ(session_->draft_prior(), "truth of the first frame");
+  act(open(task.run));
+  settle();
+  EXPECT_EQ(session_->draft_prior(), "global");
+  act("rerun start");
+  act("close-run 2");
+  ASSERT_EQ(session_->active_run()->name, "loop");
+  EXPECT_EQ(session_->draft_base()->localiser.global_particle_count, 400);
+  EXPECT_EQ(session_->draft_prior(), "global") << "of the same run as the options";
+  act("rerun start");
+  settle();
+  EXPECT_EQ(session_->active_run()->name, "lost-3");
+  EXPECT_EQ(document().header.options.at("global-particles"), "400");
+  EXPECT_EQ(document().header.options.at("prior"), "global");
+}
+
 TEST_F(SessionRerunTest, LeavesWhatSomebodyTurnedToMeanwhileAlone) {
   open_run();
   act(open(copy_run("second.nadir")));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -86,6 +88,38 @@ TEST_F(SessionSightTest, GoingToAMomentBringsItIntoView) {
   act("step 1");
   act("go end");
   EXPECT_EQ(look().centre_in_enu_m, Eigen::Vector2d(-500.0, -500.0));
+}
+
+TEST_F(SessionSightTest, TheMapGoesAlongWithAVehicleThatATimeJumpWouldTakeOutOfIt) {
+  open_run();
+  act("seek 0");
+  const Eigen::Vector2d start = step().estimate.moments.mean.translation_m();
+  act(fmt::format("look {} {} 8", start.x(), start.y()));
+  const std::string last = *session_->undo_title();
+  const auto is_in_view = [this] {
+    const Eigen::Vector2d at = share_at(step().estimate.moments.mean.translation_m(), 1.5);
+    return at.minCoeff() > 0.0 && at.maxCoeff() < 1.0;
+  };
+  for (const char* jump : {"go end", "seek 0.4", "go start", "step 9", "step -9"}) {
+    act(jump);
+    EXPECT_TRUE(is_in_view()) << jump;
+    EXPECT_EQ(look().width_m, 8.0) << jump;
+  }
+  EXPECT_NE(look().centre_in_enu_m, start);
+  EXPECT_EQ(session_->undo_title(), last) << "time is not undone, and neither is this";
+  EXPECT_FALSE(look().is_following);
+}
+
+TEST_F(SessionSightTest, AClickOnAMarkGoesToItsMomentAsTheKeyDoes) {
+  open_run();
+  act("look -500 -500 30");
+  act("go worst");
+  const MapLook there = look();
+  const double time_s = session_->playback().time_s;
+  act("look -500 -500 30");
+  act("seek 0");
+  ASSERT_TRUE(session_->apply(actions::Seek{time_s}));
+  EXPECT_EQ(look(), there);
 }
 
 TEST_F(SessionSightTest, GoingToAMomentThatWouldBeTinyComesNear) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/base/angle.h"
 #include "core/session/moment_episodes.h"
 #include "tests/core/session/made_run.h"
 
@@ -55,6 +56,22 @@ TEST(WorstMoments, OneEpisodeOfErrorsIsOneMomentAtItsPeak) {
   EXPECT_NEAR(errors[0].from_s, 10.0, 1e-9);
   EXPECT_NEAR(errors[0].to_s, 14.0, 1e-9);
   EXPECT_EQ(errors[1].step, 300U) << "the first of two that are as bad";
+}
+
+TEST(WorstMoments, KnowWhereTheEstimateIsStillNearTheTruth) {
+  const auto run = made_document(400, [](RunStep& step) {
+    if (step.step == 100) set_error_m(step, 1.9);
+    if (step.step == 200) set_error_m(step, 2.1);
+    if (step.step == 300) {
+      set_error_m(step, 1.5);
+      step.estimate.moments.mean.yaw_rad += Angle::degrees(12.0).radians();
+    }
+  });
+  const std::vector<WorstMoment>& moments = run->worst_moments;
+  ASSERT_THAT(moments, SizeIs(3));
+  EXPECT_TRUE(moments[0].is_near_truth);
+  EXPECT_FALSE(moments[1].is_near_truth) << "farther than 2 m";
+  EXPECT_FALSE(moments[2].is_near_truth) << "turned by more than 10 degrees";
 }
 
 TEST(WorstMoments, AnErrorCountsAgainstWhatIsUsualInItsRun) {

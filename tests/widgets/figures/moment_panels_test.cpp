@@ -23,11 +23,13 @@ CellAgreement agreement_of(ClassId id, std::uint32_t agreeing, std::uint32_t dis
   return made;
 }
 
+constexpr Rgba kRunColour{204, 121, 167};
+
 TEST(AgreementBars, StandForEachClassSeenOnKnownGround) {
   CellAgreement at_estimate = agreement_of(kRoad, 3, 1);
   at_estimate.of_class[kCurb] = {0, 5, 0};
   at_estimate.of_class[kTerrain] = {0, 0, 7};  // off the map
-  const auto chart = agreement_bars({at_estimate, agreement_of(kRoad, 4, 0)}, light());
+  const auto chart = agreement_bars({at_estimate, agreement_of(kRoad, 4, 0)}, light(), kRunColour);
   ASSERT_TRUE(chart);
   EXPECT_EQ(chart->y.title, "agreeing [%]");
   EXPECT_EQ(chart->y.high, 100.0);
@@ -41,12 +43,13 @@ TEST(AgreementBars, StandForEachClassSeenOnKnownGround) {
   EXPECT_DOUBLE_EQ(bars.series[1].heights[road], 100.0);
   EXPECT_THAT(bars.series[1].heights[1 - road], IsNan());
   EXPECT_THAT(names_of(*chart), ElementsAre("at estimate", "at truth"));
+  EXPECT_EQ(bars.series[0].colour, kRunColour) << "as the estimate on the map";
 }
 
 TEST(AgreementBars, AreADashWhereAClassHasNoCellsAndNothingElseWhereNoneAgree) {
   CellAgreement at_estimate = agreement_of(kRoad, 0, 4);
   at_estimate.of_class[kCurb] = {3, 2, 0};
-  const auto chart = agreement_bars({at_estimate, agreement_of(kRoad, 4, 0)}, light());
+  const auto chart = agreement_bars({at_estimate, agreement_of(kRoad, 4, 0)}, light(), kRunColour);
   ASSERT_TRUE(chart);
   RecordingCanvas canvas;
   XyChart(*chart, light(), 1.5).draw(canvas, {0.0, 0.0, 400.0, 200.0}, 400, 200);
@@ -56,16 +59,16 @@ TEST(AgreementBars, AreADashWhereAClassHasNoCellsAndNothingElseWhereNoneAgree) {
 }
 
 TEST(AgreementBars, StandAlsoForClassesThatOnlyTheTruthKnows) {
-  const auto chart = agreement_bars({{}, agreement_of(kRoad, 1, 1)}, light());
+  const auto chart = agreement_bars({{}, agreement_of(kRoad, 1, 1)}, light(), kRunColour);
   ASSERT_TRUE(chart);
   EXPECT_THAT(chart->bars->groups, SizeIs(1));
   EXPECT_THAT(names_of(*chart), ElementsAre("at truth"));
 }
 
 TEST(AgreementBars, AreNoneWithoutCellsOnKnownGroundAndOneSeriesWithoutTruth) {
-  EXPECT_FALSE(agreement_bars({}, light()));
-  EXPECT_FALSE(agreement_bars({{}, CellAgreement{}}, light()));
-  const auto chart = agreement_bars({agreement_of(kRoad, 1, 1), {}}, light());
+  EXPECT_FALSE(agreement_bars({}, light(), kRunColour));
+  EXPECT_FALSE(agreement_bars({{}, CellAgreement{}}, light(), kRunColour));
+  const auto chart = agreement_bars({agreement_of(kRoad, 1, 1), {}}, light(), kRunColour);
   ASSERT_TRUE(chart);
   EXPECT_THAT(chart->bars->series, SizeIs(1));
 }

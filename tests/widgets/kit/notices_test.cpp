@@ -32,6 +32,21 @@ Notice notice(const std::string& id, const std::string& text) {
   return made;
 }
 
+TEST(NoticeStacks, KeepTheirButtonsClearOfTheirWords) {
+  HeadlessUi screen;
+  Shown shown;
+  const std::string words =
+      "loop-2.nadir was being written when the program ended: its steps up to 00:43.0 are there";
+  shown.notices = {notice("1", words)};
+  screen.wait(3, drawing(shown));
+  const double without = screen.at("Notices/1").rect.height;
+  shown.notices[0].action = "Open it";
+  screen.wait(3, drawing(shown));
+  constexpr double kPadding = 8.0, kClear = 6.0;
+  EXPECT_GE(screen.at("Notices/1/Open it").rect.top - screen.at("Notices/1").rect.top,
+            without - kPadding + kClear);
+}
+
 TEST(NoticeStacks, OfNoneShowNothing) {
   HeadlessUi screen;
   Shown shown;

@@ -64,7 +64,7 @@ TEST(BookmarksPanel, TellsTimesNotesKindsAndWords) {
   EXPECT_THAT(shown.screen.at("Bookmarks/Worst moments/1/##go").tooltip,
               testing::HasSubstr("2.8 m off, 95 % ellipse 0.9 m"));
   EXPECT_THAT(shown.screen.at("Bookmarks/Worst moments/1/##go").tooltip,
-              testing::HasSubstr("severity 2.8: so many times the limit of its kind"));
+              testing::HasSubstr("2.8 times what is worth a look"));
   EXPECT_EQ(shown.screen.at("Bookmarks/Worst moments/1/largest error").value, "largest error");
   EXPECT_EQ(shown.screen.at("Bookmarks/Worst moments/1/2.8").value, "2.8");
   EXPECT_EQ(shown.screen.at("Bookmarks/Worst moments/1/m").value, "m");
@@ -152,7 +152,7 @@ BookmarksModel many_moments() {
 
 TEST(BookmarksPanel, HasTheMostSevereFirstOrTheEarliest) {
   ShownBookmarks shown(many_moments());
-  EXPECT_TRUE(shown.screen.at("Bookmarks/Worst moments/##Order/by severity").is_selected);
+  EXPECT_TRUE(shown.screen.at("Bookmarks/Worst moments/##Order/worst first").is_selected);
   EXPECT_EQ(shown.screen.at("Bookmarks/Worst moments/1/39.5").value, "39.5");
   EXPECT_THAT(shown.click_row("Bookmarks/Worst moments/1/##go"),
               ElementsAre(Action(actions::Seek{390.0})));

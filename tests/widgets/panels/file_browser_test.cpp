@@ -111,6 +111,12 @@ TEST(FileBrowserModel, HasHomeTheDiskAndEveryFolderOfTheRecentOnesOnce) {
   EXPECT_EQ(model.recents[2].title, "town");
   EXPECT_EQ(model.recents[2].folder, "/data/maps");
   EXPECT_EQ(model.recents[2].name, "town");
+  EXPECT_EQ(model.recents[2].detail, "data/maps") << "files of one name are told apart";
+  EXPECT_EQ(model.recents[0].detail, "data/flights");
+  const auto maps = std::find_if(model.places.begin(), model.places.end(),
+                                 [](const auto& place) { return place.folder == "/data/maps"; });
+  ASSERT_NE(maps, model.places.end());
+  EXPECT_EQ(maps->detail, "data");
 }
 
 TEST(FileBrowserModel, ShowsTheFolderOfATypedPathWithoutWaitingForTheDisk) {

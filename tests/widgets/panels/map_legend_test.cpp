@@ -13,6 +13,15 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
+SemanticTopview one_cell(ClassId id) {
+  SemanticTopview topview;
+  topview.cells.resize(1);
+  for (std::size_t next = id + 1U; next < topview.class_begin.size(); ++next) {
+    topview.class_begin.at(next) = 1;
+  }
+  return topview;
+}
+
 class MapLegend : public ::testing::Test {
  protected:
   MapLegend() {
@@ -20,7 +29,7 @@ class MapLegend : public ::testing::Test {
   }
   void show(Layer layer) { model.look.layer(layer).is_visible = true; }
   [[nodiscard]] std::vector<LegendEntry> entries() const {
-    return map_legend(model, {1}, theme(ThemeName::kDark));
+    return map_legend(model, {1}, seen, theme(ThemeName::kDark));
   }
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> all;
@@ -30,6 +39,7 @@ class MapLegend : public ::testing::Test {
 
   const MadeMoment made;
   MapViewModel model = made.map_view();
+  SeenClasses seen;
 };
 
 TEST_F(MapLegend, NamesWhatIsShownOnly) {
@@ -68,12 +78,32 @@ TEST_F(MapLegend, NamesClassesOfTheTopview) {
   EXPECT_THAT(names(), IsEmpty()) << "nothing is decoded";
   model.step = made.step;
   model.map.reset();
+  EXPECT_THAT(names(), Not(Contains("road"))) << "nothing has been seen";
+  seen.add("loop", *made.step);
   EXPECT_THAT(names(), Contains("road")) << "without a map those that were seen";
   model.look.topview_at = PoseSource::kOdometry;
   RunStep lost = *made.step;
   lost.odometry_in_enu.reset();
   model.step = std::make_shared<const RunStep>(lost);
   EXPECT_THAT(names(), IsEmpty()) << "it lies nowhere";
+}
+
+TEST_F(MapLegend, NamesClassesThatOnlyTopviewsHaveAndKeepsThem) {
+  show(Layer::kTopview);
+  EXPECT_THAT(names(), Not(Contains("car")));
+  RunStep with_car = *made.step;
+  with_car.topview = one_cell(kCar);
+  seen.add("loop", *made.step);
+  seen.add("loop", with_car);
+  EXPECT_THAT(names(), Contains("car"));
+  seen.add("loop", *made.step);
+  EXPECT_THAT(names(), Contains("car")) << "the legend rests";
+  show(Layer::kLabels);
+  model.look.layer(Layer::kTopview).is_visible = false;
+  EXPECT_THAT(names(), Not(Contains("car"))) << "the map has none";
+  show(Layer::kTopview);
+  seen.add("another run", *made.step);
+  EXPECT_THAT(names(), Not(Contains("car"))) << "of another run nothing is known";
 }
 
 TEST_F(MapLegend, NamesTheClassesOfAMapOfLabelsOnly) {
@@ -89,7 +119,7 @@ TEST_F(MapLegend, LeavesOutClassesInAHalf) {
   show(Layer::kTopview);
   show(Layer::kTruth);
   std::vector<std::string> all;
-  for (const LegendEntry& entry : map_legend(model, {1}, theme(ThemeName::kDark), false)) {
+  for (const LegendEntry& entry : map_legend(model, {1}, seen, theme(ThemeName::kDark), false)) {
     all.push_back(entry.name);
   }
   EXPECT_THAT(all, ElementsAre("truth"));
@@ -130,7 +160,7 @@ TEST_F(MapLegend, NamesRunsWhereThereAreSeveral) {
   other.is_active = false;
   model.runs.insert(model.runs.begin(), other);
   std::vector<std::string> all;
-  for (const LegendEntry& entry : map_legend(model, {1, 2}, theme(ThemeName::kDark))) {
+  for (const LegendEntry& entry : map_legend(model, {1, 2}, seen, theme(ThemeName::kDark))) {
     all.push_back(entry.name);
   }
   EXPECT_THAT(all, ElementsAre("loop", "again"));

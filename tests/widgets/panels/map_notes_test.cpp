@@ -115,7 +115,7 @@ TEST(PaneName, SaysAsMuchAsThereIsRoomForAndKeepsToTheMap) {
   const auto said = [&](double width) {
     RecordingCanvas canvas;
     const MapFrame frame{{0.0, 0.0, width, 400.0}, MapCamera{}, 96.0 / 72.0};
-    draw_pane_name(canvas, frame, model, model.runs[0], 48.0, theme(ThemeName::kDark));
+    draw_pane_name(canvas, frame, model, model.runs[0], nullptr, 48.0, theme(ThemeName::kDark));
     for (const auto& fill : canvas.fills) {
       for (const Eigen::Vector2d& corner : fill.outline) {
         EXPECT_GE(corner.x(), 48.0);
@@ -131,6 +131,26 @@ TEST(PaneName, SaysAsMuchAsThereIsRoomForAndKeepsToTheMap) {
   EXPECT_EQ(said(60.0), "");
 }
 
+TEST(PaneName, LeavesOutWhatTheOtherHalfShowsToo) {
+  const MadeMoment made;
+  MapViewModel model = made.map_view();
+  model.runs.push_back(model.runs[0]);
+  model.runs[1].name = "loop-2";
+  model.runs[1].is_active = false;
+  const auto said = [&](std::size_t run) {
+    RecordingCanvas canvas;
+    const MapFrame frame{{0.0, 0.0, 500.0, 400.0}, MapCamera{}, 96.0 / 72.0};
+    draw_pane_name(canvas, frame, model, model.runs[run], &model.runs[1 - run], 48.0,
+                   theme(ThemeName::kDark));
+    return canvas.texts.at(0).line;
+  };
+  EXPECT_EQ(said(0), "loop");
+  EXPECT_EQ(said(1), "loop-2");
+  model.look.layer(Layer::kReconstruction).is_visible = true;
+  EXPECT_EQ(said(0), "loop: reconstruction") << "of the active run only";
+  EXPECT_EQ(said(1), "loop-2");
+}
+
 TEST(PaneName, SaysWhichRunItIsWhereNamesAreLong) {
   const MadeMoment made;
   MapViewModel model = made.map_view();
@@ -141,7 +161,7 @@ TEST(PaneName, SaysWhichRunItIsWhereNamesAreLong) {
   const auto said = [&](std::size_t run, double width) {
     RecordingCanvas canvas;
     const MapFrame frame{{0.0, 0.0, width, 400.0}, MapCamera{}, 96.0 / 72.0};
-    draw_pane_name(canvas, frame, model, model.runs[run], 48.0, theme(ThemeName::kDark));
+    draw_pane_name(canvas, frame, model, model.runs[run], nullptr, 48.0, theme(ThemeName::kDark));
     return canvas.texts.empty() ? std::string() : canvas.texts[0].line;
   };
   EXPECT_THAT(said(0, 600.0), StartsWith("medium loop over the town at noon: "));

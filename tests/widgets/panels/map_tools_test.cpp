@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/widgets/panels/shown_map.h"
+#include "widgets/panels/map_cards.h"
 
 namespace nadir {
 namespace map_tools_test {
@@ -46,6 +47,23 @@ TEST_F(MapTools, ToolsThatALowMapHasNoRoomForAreInAMenu) {
   EXPECT_LT(low.at("Map/Tools/More").rect.bottom(), 260.0) << "the scale bar lies below";
   EXPECT_THAT(low.click("Map/Tools/More/Follow", drawing()),
               Contains(Action(actions::Follow{Switch::kToggle})));
+}
+
+TEST_F(MapTools, LeaveTheRestOfTheMapToNoticesAlsoWhereItIsSplit) {
+  kit::Rect map, free;
+  for (const bool is_split : {false, true}) {
+    model.look.is_split = is_split;
+    screen.wait(2, [&](kit::Ui& ui) {
+      map = ui.room();
+      free = beside_map_tools(ui, map);
+      return draw_map_view(ui, model, state);
+    });
+    const kit::Rect tool = screen.at("Map/Tools/Pan").rect;
+    EXPECT_GE(free.left, tool.right());
+    EXPECT_LT(free.left, tool.right() + 20.0) << "once";
+    EXPECT_EQ(free.right(), map.right());
+    EXPECT_EQ(free.height, map.height);
+  }
 }
 
 TEST_F(MapTools, TheMenuCopiesThePlaceWhereItWasOpened) {

@@ -31,7 +31,8 @@ FileBrowserModel folder() {
   model.home = "/home/ada";
   model.places = {
       {"Home", "/home/ada"}, {"All of the disk", "/"}, {"flights", "/home/ada/flights"}};
-  model.recents = {{"loop medium 7", "/home/ada/flights", "loop medium 7.nadir", kit::Icon::kFile}};
+  model.recents = {
+      {"loop medium 7", "/home/ada/flights", "loop medium 7.nadir", kit::Icon::kFile, "flights"}};
   model.listing = listing;
   return model;
 }

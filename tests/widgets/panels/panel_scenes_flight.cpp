@@ -150,6 +150,17 @@ MapViewModel map_view(const MadeMoment& made) {
   return model;
 }
 
+/// The same beside each other, where the vehicle is out of sight.
+MapViewModel map_halves(const MadeMoment& made) {
+  MapViewModel model = map_view(made);
+  model.look.tool = MapTool::kPan;
+  model.look.measured_in_enu_m.clear();
+  model.selected_particle.reset();
+  model.look.is_split = true;
+  model.look.centre_in_enu_m += Eigen::Vector2d(-24.0, 9.0);
+  return model;
+}
+
 WhyModel why(const MadeMoment& made) {
   MomentQuestion question;
   question.step = made.step;
@@ -222,6 +233,8 @@ void add_flight_scenes(std::vector<PanelScene>& scenes) {
                          MapViewState{}, draw_map_view);
   map.panels.insert(map.panels.end(), {"map_cards", "map_notes"});
   scenes.push_back(std::move(map));
+  scenes.push_back(panel("map-halves", "map_vehicle", {760.0, 440.0}, Room::kBare, map_halves(made),
+                         MapViewState{}, draw_map_view));
 }
 
 }  // namespace nadir::scenes

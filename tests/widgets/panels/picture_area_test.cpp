@@ -74,10 +74,8 @@ TEST(PixelOfOtherSize, IsTheOneBelowTheMiddle) {
   EXPECT_EQ(pixel_of_other_size({1, 3}, {4, 8}, {8, 4}), Eigen::Vector2i(3, 1));
 }
 
-TEST(MiddleUnderMouse, IsRightOfAndBelowTheCornerThatTheMouseIsToldBy) {
-  kit::AreaInput area;
-  area.mouse = {3.0, 8.0};  // y counts up
-  EXPECT_EQ(middle_under_mouse(area), Eigen::Vector2d(3.5, 7.5));
+TEST(MiddleOfPixel, IsRightOfAndBelowTheCornerThatTheMouseIsToldBy) {
+  EXPECT_EQ(middle_of_pixel({3.0, 8.0}), Eigen::Vector2d(3.5, 7.5)) << "y counts up";
 }
 
 }  // namespace picture_area_test

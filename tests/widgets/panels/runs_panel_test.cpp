@@ -93,12 +93,12 @@ TEST(RunsPanel, JumpsToWhereRunsPart) {
   EXPECT_TRUE(shown.screen.shows("00:10.0")) << shown.screen.words();
   EXPECT_THAT(shown.click_row("Runs/Parting/2/##go"),
               ElementsAre(Action(actions::GoToDivergence{2})));
-  EXPECT_TRUE(shown.screen.shows("First " + divergence_words()));
+  EXPECT_TRUE(shown.screen.shows("Where a run first parts from calm: " + divergence_words()));
   EXPECT_THAT(shown.screen.at("Runs/Parting/2/##go").tooltip,
               HasSubstr("Parted is " + divergence_words()));
   RunsModel alike = two_runs();
   alike.rows[1].document = alike.rows[0].document;
-  EXPECT_TRUE(ShownRuns(alike).screen.shows("never leaves"));
+  EXPECT_TRUE(ShownRuns(alike).screen.shows("wild nowhere parts from calm"));
 }
 
 TEST(RunsPanel, SplitsTheView) {

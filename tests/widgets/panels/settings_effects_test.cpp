@@ -78,6 +78,19 @@ TEST_F(SettingsEffects, AListThatIsScrolledFillsItsRoom) {
   EXPECT_GE(lowest, 480.0 - 44.0) << "a row, or the space below one, ends the panel";
 }
 
+TEST_F(SettingsEffects, SaysWhatARerunFromTheCursorDoesNotRead) {
+  const std::string words = "only From the start reads it";
+  for (const SettingRow& one : model.rows) {
+    EXPECT_EQ(one.is_of_start, one.name == "global-particles") << one.name;
+  }
+  screen.wait(2, drawing());
+  EXPECT_TRUE(screen.at(path("global-particles")).is_enabled);
+  EXPECT_TRUE(screen.shows(words)) << screen.words();
+  model.rows = setting_rows(draft, {}, "truth of the first frame");
+  screen.wait(2, drawing());
+  EXPECT_FALSE(screen.shows(words)) << "the other button does not read it either";
+}
+
 TEST(SettingRows, GlobalParticlesCountWhereTheRunBeginsAnywhere) {
   const auto why = [](const std::string& prior) {
     for (const SettingRow& row : setting_rows({}, {}, prior)) {

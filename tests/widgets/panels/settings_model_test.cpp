@@ -56,11 +56,15 @@ TEST_F(SettingsModelTest, WhatTheRunHasByNowIsNoChange) {
 
 TEST_F(SettingsModelTest, KnowsHowARunFromItsStartBegins) {
   open_run();
-  const SettingsModel model = settings_model(*session_);
-  const auto row = std::find_if(model.rows.begin(), model.rows.end(), [](const SettingRow& one) {
-    return one.name == "global-particles";
-  });
-  EXPECT_EQ(row->no_effect, "the start is known");
+  for (const bool is_on_its_way : {false, true}) {
+    if (is_on_its_way) act("rerun start");
+    const SettingsModel model = settings_model(*session_);
+    const auto row = std::find_if(model.rows.begin(), model.rows.end(), [](const SettingRow& one) {
+      return one.name == "global-particles";
+    });
+    EXPECT_EQ(row->no_effect, "the start is known") << is_on_its_way;
+  }
+  settle();
 }
 
 }  // namespace settings_model_test

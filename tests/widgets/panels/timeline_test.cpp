@@ -99,7 +99,7 @@ TEST(Timeline, TheMarksHaveAKeyLeftOfTheRuler) {
   shown.screen.input().mouse_px = Eigen::Vector2d(ruler.left + 40.0, ruler.centre().y());
   shown.screen.wait(3, shown.draw());
   EXPECT_THAT(shown.screen.tooltip(),
-              HasSubstr("full red diamond: largest error, high NEES, lost"));
+              HasSubstr("full red diamond, wrong: largest error, high NEES, lost"));
   EXPECT_THAT(shown.screen.tooltip(), HasSubstr("blue flag: your bookmark"));
 }
 

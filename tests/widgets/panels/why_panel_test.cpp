@@ -6,7 +6,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <set>
 #include <thread>
 
 #include "tests/widgets/panels/made_answer.h"
@@ -49,17 +48,6 @@ TEST_F(WhyPanelTest, SaysThatTheTruthWouldHaveFittedBetter) {
   EXPECT_TRUE(screen.shows(model.answer->words)) << screen.words();
   EXPECT_EQ(screen.at("Why/Mean cost/Costs/truth/mean cost").value, "0.0000");
   EXPECT_EQ(screen.at("Why/Mean cost/Costs/truth/fits").value, "100 %");
-}
-
-TEST_F(WhyPanelTest, EveryVerdictHasWordsOfItsOwn) {
-  std::set<std::string> words;
-  for (const auto verdict : {MomentVerdict::kNoEvidence, MomentVerdict::kNoTruth,
-                             MomentVerdict::kFound, MomentVerdict::kTruthFitsBetter,
-                             MomentVerdict::kMapMisleads, MomentVerdict::kBothFitAlike}) {
-    words.insert(verdict_head(verdict).words);
-  }
-  EXPECT_EQ(words.size(), 6U);
-  EXPECT_FALSE(words.contains(""));
 }
 
 TEST_F(WhyPanelTest, ShowsTheSurfaceWithItsCosts) {

@@ -25,6 +25,17 @@ Eigen::AlignedBox2d box_around(const std::vector<Eigen::Vector2d>& points) {
   return box;
 }
 
+TEST(LegibleEntry, OutlinesABarThatIsAboutThePagesColour) {
+  const LegendEntry building{"building", class_colour(kBuilding), LegendEntry::Kind::kBar};
+  const LegendEntry outlined = legible_entry(building, theme(ThemeName::kDark));
+  EXPECT_EQ(outlined.kind, LegendEntry::Kind::kOutlinedBar);
+  EXPECT_EQ(outlined.colour, building.colour) << "as on the map";
+  EXPECT_EQ(outlined.casing, theme(ThemeName::kDark).muted);
+  EXPECT_EQ(legible_entry(building, theme(ThemeName::kLight)), building);
+  const LegendEntry line{"truth", theme(ThemeName::kDark).page};
+  EXPECT_EQ(legible_entry(line, theme(ThemeName::kDark)), line) << "it has a casing";
+}
+
 TEST(Legend, ShowsEllipsesAsTwoOutlinesOneInsideTheOther) {
   const Rgba blue{80, 170, 230};
   const RecordingCanvas canvas = drawn({"ellipses", blue, LegendEntry::Kind::kRings});

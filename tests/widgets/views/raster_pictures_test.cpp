@@ -34,5 +34,10 @@ TEST(ColourPicture, IsOpaqueAndHasTheSameColours) {
   EXPECT_EQ(picture.at(1, 0), (Rgba{250, 128, 0, 255}));
 }
 
+TEST(ColourPicture, OfAnImageIsAsClearAsThat) {
+  const Raster<Rgba> picture = colour_picture(ImageRaster(1, 1, ImagePixel{1, 2, 3, 4}));
+  EXPECT_EQ(picture.at(0, 0), (Rgba{1, 2, 3, 4}));
+}
+
 }  // namespace raster_pictures_test
 }  // namespace nadir

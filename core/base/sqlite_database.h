@@ -14,7 +14,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace nadir::detail {
+namespace nadir {
 
 class SqliteDatabase;
 
@@ -33,10 +33,13 @@ class SqliteStatement {
   SqliteStatement& add(std::optional<double> value);
   SqliteStatement& add(std::string_view value);
   SqliteStatement& add(std::span<const std::uint8_t> value);
+  SqliteStatement& add_null();
 
   /// Runs to the next row. @returns whether there is one; after the last the statement can be bound
   /// and run again.
   [[nodiscard]] Result<bool> next();
+  /// Runs what gives no rows.
+  [[nodiscard]] Result<void> run();
 
   [[nodiscard]] bool is_null(int column) const;
   /// Whether the value is a number, not NULL, text or a blob: SQLite gives 0 for those, for a column
@@ -62,14 +65,24 @@ class SqliteStatement {
   int bind_failure_ = 0;
 };
 
-enum class SqliteAccess { kRead, kReadAndRecover, kCreate };
+/// What tells our files in SQLite's format from each other.
+struct SqliteFileKind {
+  const char* if_not_one;  ///< Said of a file that is no database: "is not a run file".
+  int patience_ms;         ///< How long to wait for another program's lock.
+  int most_value_bytes;    ///< Of a text or blob, so that a damaged length is not allocated.
+};
 
-/// An open database whose errors are sentences that begin with the name of the file.
+enum class SqliteAccess { kRead, kWrite, kCreate };
+
+/// An open database whose errors are sentences that begin with the name of the file. It may come
+/// from anybody: nothing in its schema may run code.
 class SqliteDatabase {
  public:
   /// @param name  Stands for the file in messages.
+  /// @errors kMalformed: no database, damaged; kIo.
   [[nodiscard]] static Result<SqliteDatabase> open(const std::filesystem::path& path,
                                                    const std::string& name,
+                                                   const SqliteFileKind& kind,
                                                    SqliteAccess access);
   SqliteDatabase(SqliteDatabase&& other) noexcept;
   SqliteDatabase& operator=(SqliteDatabase&& other) noexcept;
@@ -77,19 +90,22 @@ class SqliteDatabase {
 
   [[nodiscard]] Result<void> execute(const std::string& sql) const;
   [[nodiscard]] Result<SqliteStatement> prepare(std::string_view sql) const;
-  /// The first column of the first row as a whole number.
+  /// The first column of the first row as a whole number; 0 without rows.
   [[nodiscard]] Result<std::int64_t> whole(std::string_view sql) const;
 
   /// The last failure is a journal left by a killed writer that this read-only connection may not
   /// roll back.
   [[nodiscard]] bool needs_recovery() const;
   [[nodiscard]] tl::unexpected<Error> failure() const;
+  /// For what only one kind of file needs, such as functions of its own.
+  [[nodiscard]] sqlite3* handle() const { return database_; }
 
  private:
-  SqliteDatabase(sqlite3* database, std::string name)
-      : database_(database), name_(std::move(name)) {}
+  SqliteDatabase(sqlite3* database, std::string name, const char* if_not_one)
+      : database_(database), name_(std::move(name)), if_not_one_(if_not_one) {}
   sqlite3* database_;
   std::string name_;
+  const char* if_not_one_;
 };
 
 /// A transaction that is rolled back unless committed.
@@ -108,4 +124,4 @@ class SqliteTransaction {
   const SqliteDatabase* database_;
 };
 
-}  // namespace nadir::detail
+}  // namespace nadir

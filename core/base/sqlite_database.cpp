@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/run/sqlite_database.h"
+#include "core/base/sqlite_database.h"
 
 #include <sqlite3.h>
 
 #include <cmath>
 #include <utility>
 
-namespace nadir::detail {
+namespace nadir {
 namespace {
 
-constexpr int kPatienceMs = 10'000;  // How long to wait for another program's lock.
-constexpr int kLargestValue =
-    256 * 1024 * 1024;  // Bytes of one blob, so that a damaged length is not allocated.
-
-Error error_of(const std::string& name, int extended_code, const char* reason) {
+Error error_of(const std::string& name,
+               const char* if_not_one,
+               int extended_code,
+               const char* reason) {
   switch (extended_code & 0xff) {
     case SQLITE_NOTADB:
-      return {ErrorCode::kMalformed, name + ": is not a run file"};
+      return {ErrorCode::kMalformed, name + ": " + if_not_one};
     case SQLITE_CORRUPT:
-    case SQLITE_ERROR:  // A table or column that a run file has is missing.
+    case SQLITE_ERROR:  // A table or column that files of this kind have is missing.
     case SQLITE_SCHEMA:
     case SQLITE_TOOBIG:
     case SQLITE_MISMATCH:
@@ -26,6 +25,8 @@ Error error_of(const std::string& name, int extended_code, const char* reason) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return {ErrorCode::kIo, name + ": is locked by another program"};
+    case SQLITE_FULL:
+      return {ErrorCode::kIo, name + ": the disk is full"};
     default:
       return {ErrorCode::kIo, name + ": " + reason};
   }
@@ -56,9 +57,7 @@ SqliteStatement& SqliteStatement::add(std::int64_t value) {
 }
 
 SqliteStatement& SqliteStatement::add(std::optional<double> value) {
-  if (value) return add(*value);
-  note(sqlite3_bind_null(statement_, ++bound_));
-  return *this;
+  return value ? add(*value) : add_null();
 }
 
 SqliteStatement& SqliteStatement::add(std::string_view value) {
@@ -73,6 +72,11 @@ SqliteStatement& SqliteStatement::add(std::span<const std::uint8_t> value) {
   return *this;
 }
 
+SqliteStatement& SqliteStatement::add_null() {
+  note(sqlite3_bind_null(statement_, ++bound_));
+  return *this;
+}
+
 Result<bool> SqliteStatement::next() {
   const int code = bind_failure_ == SQLITE_OK ? sqlite3_step(statement_) : bind_failure_;
   if (code == SQLITE_ROW) return true;
@@ -82,6 +86,12 @@ Result<bool> SqliteStatement::next() {
   bound_ = 0;
   bind_failure_ = SQLITE_OK;
   return outcome;
+}
+
+Result<void> SqliteStatement::run() {
+  const auto row = next();
+  if (!row) return forward_error(row);
+  return {};
 }
 
 bool SqliteStatement::is_null(int column) const {
@@ -124,24 +134,24 @@ std::span<const std::uint8_t> SqliteStatement::blob(int column) const {
 
 Result<SqliteDatabase> SqliteDatabase::open(const std::filesystem::path& path,
                                             const std::string& name,
+                                            const SqliteFileKind& kind,
                                             SqliteAccess access) {
   int flags = SQLITE_OPEN_READONLY;
-  if (access == SqliteAccess::kReadAndRecover) flags = SQLITE_OPEN_READWRITE;
+  if (access == SqliteAccess::kWrite) flags = SQLITE_OPEN_READWRITE;
   if (access == SqliteAccess::kCreate) flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
   sqlite3* handle = nullptr;
   // Absolute, since SQLite reads meaning into names such as ":memory:" and "file:...".
   std::error_code ignored;
   const std::filesystem::path absolute = std::filesystem::absolute(path, ignored);
   const int code = sqlite3_open_v2(absolute.c_str(), &handle, flags, nullptr);
-  SqliteDatabase database(handle, name);
+  SqliteDatabase database(handle, name, kind.if_not_one);
   if (code != SQLITE_OK) {
     if (handle == nullptr) return fail(ErrorCode::kIo, "{}: {}", name, sqlite3_errstr(code));
     return database.failure();
   }
   sqlite3_extended_result_codes(handle, 1);
-  sqlite3_busy_timeout(handle, kPatienceMs);
-  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, kLargestValue);
-  // A run file may come from anybody: nothing in its schema may run code.
+  sqlite3_busy_timeout(handle, kind.patience_ms);
+  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, kind.most_value_bytes);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   if (auto checked = database.execute("PRAGMA cell_size_check = ON"); !checked) {
@@ -151,11 +161,14 @@ Result<SqliteDatabase> SqliteDatabase::open(const std::filesystem::path& path,
 }
 
 SqliteDatabase::SqliteDatabase(SqliteDatabase&& other) noexcept
-    : database_(std::exchange(other.database_, nullptr)), name_(std::move(other.name_)) {}
+    : database_(std::exchange(other.database_, nullptr)),
+      name_(std::move(other.name_)),
+      if_not_one_(other.if_not_one_) {}
 
 SqliteDatabase& SqliteDatabase::operator=(SqliteDatabase&& other) noexcept {
   std::swap(database_, other.database_);
   std::swap(name_, other.name_);
+  std::swap(if_not_one_, other.if_not_one_);
   return *this;
 }
 
@@ -190,7 +203,7 @@ bool SqliteDatabase::needs_recovery() const {
 
 tl::unexpected<Error> SqliteDatabase::failure() const {
   return tl::unexpected<Error>(
-      error_of(name_, sqlite3_extended_errcode(database_), sqlite3_errmsg(database_)));
+      error_of(name_, if_not_one_, sqlite3_extended_errcode(database_), sqlite3_errmsg(database_)));
 }
 
 Result<SqliteTransaction> SqliteTransaction::begin(const SqliteDatabase& database,
@@ -214,4 +227,4 @@ Result<void> SqliteTransaction::commit() {
   return committed;
 }
 
-}  // namespace nadir::detail
+}  // namespace nadir

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/run/sqlite_database.h"
+#include "core/base/sqlite_database.h"
 
 #include <gmock/gmock.h>
 
@@ -8,17 +8,20 @@
 #include "tests/support/error_text.h"
 #include "tests/support/scratch_folder.h"
 
-namespace nadir::detail {
+namespace nadir {
 namespace sqlite_database_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
+constexpr SqliteFileKind kKind{
+    .if_not_one = "is no file of ours", .patience_ms = 0, .most_value_bytes = 1 << 20};
+
 class SqliteFile : public testing::Test {
  protected:
   [[nodiscard]] SqliteDatabase open(SqliteAccess access = SqliteAccess::kCreate) const {
-    return SqliteDatabase::open(path_, "it", access).value();
+    return SqliteDatabase::open(path_, "it", kKind, access).value();
   }
   [[nodiscard]] SqliteDatabase table() const {
     SqliteDatabase database = open();
@@ -32,13 +35,14 @@ class SqliteFile : public testing::Test {
 
 TEST_F(SqliteFile, GivesBackEveryKindOfValue) {
   const SqliteDatabase database = open();
-  ASSERT_TRUE(database.execute("CREATE TABLE t (a, b, c, d, e, f)"));
-  auto insert = database.prepare("INSERT INTO t VALUES (?, ?, ?, ?, ?, ?)");
+  ASSERT_TRUE(database.execute("CREATE TABLE t (a, b, c, d, e, f, g)"));
+  auto insert = database.prepare("INSERT INTO t VALUES (?, ?, ?, ?, ?, ?, ?)");
   ASSERT_TRUE(insert);
   const std::string text("with \0 inside", 13);
   const std::vector<std::uint8_t> bytes = {0, 255, 7};
   insert->add(1.0 / 3.0).add(INT64_MIN).add(std::optional<double>());
-  ASSERT_TRUE(insert->add(std::string_view(text)).add(std::span(bytes)).add(std::nan("")).next());
+  insert->add(std::string_view(text)).add(std::span(bytes)).add(std::nan("")).add_null();
+  ASSERT_TRUE(insert->run());
 
   auto select = database.prepare("SELECT * FROM t");
   ASSERT_TRUE(select);
@@ -50,6 +54,7 @@ TEST_F(SqliteFile, GivesBackEveryKindOfValue) {
   EXPECT_EQ(select->text(3), text);
   EXPECT_THAT(select->blob(4), ElementsAre(0, 255, 7));
   EXPECT_TRUE(select->is_null(5)) << "NaN is unknown";
+  EXPECT_TRUE(select->is_null(6));
   EXPECT_FALSE(select->next().value());
 }
 
@@ -110,7 +115,7 @@ TEST_F(SqliteFile, MayNotBeWrittenByAReader) {
 }
 
 TEST_F(SqliteFile, IsNotMadeByAReader) {
-  const auto missing = SqliteDatabase::open(path_, "it", SqliteAccess::kRead);
+  const auto missing = SqliteDatabase::open(path_, "it", kKind, SqliteAccess::kRead);
   EXPECT_EQ(error_code(missing), ErrorCode::kIo);
   EXPECT_THAT(error_text(missing), StartsWith("it: "));
   EXPECT_EQ(folder_.entries(), 0);
@@ -122,17 +127,52 @@ TEST_F(SqliteFile, SaysThatAMissingTableIsDamage) {
   EXPECT_THAT(error_text(missing), StartsWith("it: is damaged or cut off ("));
 }
 
-TEST_F(SqliteFile, SaysThatAnotherFileIsNoRun) {
+TEST_F(SqliteFile, SaysOfAnotherFileWhatItIsNot) {
   folder_.file("a.db", std::string(5000, 'x'));
-  const auto database = SqliteDatabase::open(path_, "it", SqliteAccess::kRead);
+  const auto database = SqliteDatabase::open(path_, "it", kKind, SqliteAccess::kRead);
   const auto read = database ? database->whole("SELECT count(*) FROM sqlite_schema")
                              : Result<std::int64_t>(forward_error(database));
-  EXPECT_EQ(error_text(read), "it: is not a run file");
+  EXPECT_EQ(error_text(read), "it: is no file of ours");
+}
+
+TEST_F(SqliteFile, SaysWhoHoldsItUp) {
+  const SqliteDatabase first = table();
+  const SqliteDatabase second = open();
+  const auto transaction = SqliteTransaction::begin(first, "BEGIN IMMEDIATE");
+  ASSERT_TRUE(transaction);
+  const auto refused = SqliteTransaction::begin(second, "BEGIN IMMEDIATE");
+  EXPECT_EQ(error_code(refused), ErrorCode::kIo);
+  EXPECT_EQ(error_text(refused), "it: is locked by another program");
+}
+
+TEST_F(SqliteFile, SaysThatTheDiskIsFull) {
+  const SqliteDatabase database = table();
+  ASSERT_TRUE(database.execute("PRAGMA max_page_count = 2"));  // as many as it has
+  const auto refused = database.execute("INSERT INTO t VALUES (zeroblob(100000))");
+  EXPECT_EQ(error_code(refused), ErrorCode::kIo);
+  EXPECT_EQ(error_text(refused), "it: the disk is full");
+}
+
+TEST_F(SqliteFile, AllocatesNoValueLongerThanItsKindHas) {
+  const SqliteDatabase database = table();
+  ASSERT_TRUE(database.execute("INSERT INTO t VALUES (zeroblob(1000000))"));
+  const auto refused = database.execute("INSERT INTO t VALUES (zeroblob(1100000))");
+  EXPECT_EQ(error_code(refused), ErrorCode::kMalformed);
+}
+
+TEST_F(SqliteFile, KeepsWhatItSaysWhenItIsMoved) {
+  folder_.file("b.db", std::string(5000, 'x'));
+  SqliteDatabase moved = table();
+  auto other = SqliteDatabase::open(folder_.path() / "b.db", "other", kKind, SqliteAccess::kRead);
+  if (other) moved = std::move(*other);
+  const auto read = other ? moved.whole("SELECT count(*) FROM sqlite_schema")
+                          : Result<std::int64_t>(forward_error(other));
+  EXPECT_EQ(error_text(read), "other: is no file of ours");
 }
 
 TEST_F(SqliteFile, MayHaveANameThatSqliteWouldReadMeaningInto) {
   const auto odd = folder_.path() / "file:x?mode=memory";
-  const auto database = SqliteDatabase::open(odd, "odd", SqliteAccess::kCreate);
+  const auto database = SqliteDatabase::open(odd, "odd", kKind, SqliteAccess::kCreate);
   ASSERT_TRUE(database && database->execute("CREATE TABLE t (x)"));
   EXPECT_TRUE(std::filesystem::exists(odd));
 }
@@ -142,4 +182,4 @@ TEST_F(SqliteFile, GivesZeroForAQuestionWithoutAnAnswer) {
 }
 
 }  // namespace sqlite_database_test
-}  // namespace nadir::detail
+}  // namespace nadir
