@@ -21,7 +21,7 @@ constexpr std::array kCommands = {
     Command{"evaluate", "Print the errors of recorded runs", run_evaluate},
     Command{"figure", "Draw a figure of recorded runs or of a map, without a display", run_figure},
     Command{"report", "Draw every figure of recorded runs with an index page", run_report},
-    Command{"map", "Show or import labelled overheads", run_map},
+    Command{"map", "Show, import, export and check labelled overheads", run_map},
     Command{"flight", "Show what a recorded flight holds", run_flight},
 };
 

@@ -3,6 +3,9 @@
 set(NADIR_PRIVATE_HEADERS
   core/base/bystanders.h
   core/base/durability.h
+  core/base/sqlite_database.h
+  core/base/zstd.h
+  core/desk/file_stamp.h
   core/eval/report_keys.h
   core/flight/flight_formats.h
   core/flight/flight_settings.h
@@ -12,8 +15,13 @@ set(NADIR_PRIVATE_HEADERS
   core/flight/kitti_raw_text.h
   core/flight/text_fields.h
   core/geo/number_lines.h
+  core/label/border_chains.h
   core/label/byte_reader.h
   core/label/cell_fill.h
+  core/label/edge_tree.h
+  core/label/edit_builder.h
+  core/label/export_writers.h
+  core/label/geos_geometry.h
   core/label/label_blobs.h
   core/label/label_connection.h
   core/label/label_database.h
@@ -23,15 +31,22 @@ set(NADIR_PRIVATE_HEADERS
   core/label/label_store_core.h
   core/label/label_sync.h
   core/label/label_tables.h
+  core/label/object_maker.h
+  core/label/osm_elements.h
+  core/label/ring_assembly.h
   core/label/row_walk.h
+  core/label/source_features.h
   core/label/spatial_functions.h
   core/label/tile_painter.h
   core/map/class_images.h
   core/map/crs.h
   core/map/gdal_raster.h
+  core/map/image_file.h
+  core/map/image_warp.h
   core/map/label_tiff.h
   core/map/map_warp.h
   core/map/squared_distances.h
+  core/map/tile_source.h
   core/mcl/cost_rows.h
   core/mcl/pose_bins.h
   core/run/copied_blobs.h
@@ -44,7 +59,6 @@ set(NADIR_PRIVATE_HEADERS
   core/run/run_row.h
   core/run/run_schema.h
   core/run/run_start.h
-  core/run/sqlite_database.h
   core/session/action_form.h
   core/session/cache_shelf.h
   core/session/cache_worker.h
@@ -54,6 +68,7 @@ set(NADIR_PRIVATE_HEADERS
   core/session/moment_tracking.h
   core/session/run_metrics.h
   core/session/session_core.h
+  core/session/session_state.h
   core/session/settings_values.h
   core/session/step_decoder.h
   core/sim/column_ray.h

@@ -1,55 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <zstd.h>
-
 #include <algorithm>
 #include <iterator>
 #include <memory>
 
-#include "core/base/require.h"
+#include "core/base/zstd.h"
 #include "core/label/byte_reader.h"
 #include "core/label/label_blobs.h"
 
 namespace nadir {
 namespace {
 
-constexpr int kCompressionLevel = 1;
 constexpr std::size_t kTileBytes = static_cast<std::size_t>(kPaintTileSide) * kPaintTileSide;
 /// Of one text in a delta, so that a damaged length is not allocated: a hundred million places.
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 31U;
 /// Shorter ones do not get shorter by packing.
 constexpr std::size_t kLeastPacked = 200;
 
-/// With a checksum, so that flipped bits are found.
-Bytes compressed(ByteSpan raw) {
-  struct Freed {
-    void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
-  };
-  const std::unique_ptr<ZSTD_CCtx, Freed> context(ZSTD_createCCtx());
-  NADIR_REQUIRE(context != nullptr);
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kCompressionLevel);
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
-  Bytes packed(ZSTD_compressBound(raw.size()));
-  const std::size_t size =
-      ZSTD_compress2(context.get(), packed.data(), packed.size(), raw.data(), raw.size());
-  NADIR_REQUIRE(ZSTD_isError(size) == 0U);
-  packed.resize(size);
-  return packed;
-}
-
 tl::unexpected<Error> damaged(const char* what) {
   return fail(ErrorCode::kMalformed, "{} is damaged", what);
 }
 
 Result<Bytes> decompressed(ByteSpan packed, std::uint64_t most_bytes, const char* what) {
-  const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
-  if (size == ZSTD_CONTENTSIZE_UNKNOWN || size == ZSTD_CONTENTSIZE_ERROR || size > most_bytes) {
-    return damaged(what);
-  }
-  Bytes raw(static_cast<std::size_t>(size));
-  if (ZSTD_decompress(raw.data(), raw.size(), packed.data(), packed.size()) != raw.size()) {
-    return damaged(what);
-  }
-  return raw;
+  auto raw = zstd_unpacked(packed, most_bytes);
+  if (!raw) return damaged(what);
+  return std::move(*raw);
 }
 
 Result<Bytes> decompressed_tile(ByteSpan packed, const char* what) {
@@ -140,7 +114,7 @@ Bytes byte_delta(ByteSpan before, ByteSpan after) {
   content.insert(content.end(), middle_before.begin(), middle_before.end());
   content.insert(content.end(), middle_after.begin(), middle_after.end());
   const bool is_packed = content.size() >= kLeastPacked;
-  if (is_packed) content = compressed(content);
+  if (is_packed) content = zstd_packed(content);
   content.insert(content.begin(), is_packed ? 1 : 0);
   return content;
 }
@@ -157,7 +131,7 @@ Result<Bytes> after_of(ByteSpan delta, ByteSpan before) {
   return replaced(before, *difference, difference->before, difference->after);
 }
 
-Bytes packed_tile(const PaintTile& tile) { return compressed(tile.values); }
+Bytes packed_tile(const PaintTile& tile) { return zstd_packed(tile.values); }
 
 Result<std::shared_ptr<const PaintTile>> unpacked_tile(ByteSpan packed) {
   const auto values = decompressed_tile(packed, "its paint");
@@ -172,7 +146,7 @@ Bytes tile_delta(const PaintTile* before, const PaintTile* after) {
     const PaintValue becomes = after != nullptr ? after->values[i] : kNoPaint;
     both[i] = was ^ becomes;
   }
-  return compressed(both);
+  return zstd_packed(both);
 }
 
 Result<std::shared_ptr<const PaintTile>> other_tile(ByteSpan delta, const PaintTile* tile) {

@@ -17,7 +17,7 @@ namespace {
 /// Reads the tables of objects and compares them with a document.
 class ForeignFinder {
  public:
-  ForeignFinder(const LabelDatabase& database,
+  ForeignFinder(const SqliteDatabase& database,
                 const LabelDocument& document,
                 bool is_document_whole)
       : database_(database),
@@ -32,7 +32,7 @@ class ForeignFinder {
     for (std::size_t i = 0; i < kColumns.size(); ++i) {
       const auto kind = static_cast<ObjectKind>(i);
       const auto is_whole = visit_rows(database_, std::string(enum_name(kind)), kColumns.at(i),
-                                       [&](const LabelStatement& row) { take(row, kind); });
+                                       [&](const SqliteStatement& row) { take(row, kind); });
       if (!is_whole) return forward_error(is_whole);
       found_.is_whole = found_.is_whole && *is_whole;
     }
@@ -49,7 +49,7 @@ class ForeignFinder {
   }
 
  private:
-  void take(const LabelStatement& row, ObjectKind kind) {
+  void take(const SqliteStatement& row, ObjectKind kind) {
     const ObjectId id = row.whole(0);
     const auto known = document_.object(id);
     const bool is_ours = known != nullptr && known->kind == kind;
@@ -79,7 +79,7 @@ class ForeignFinder {
   }
 
   /// The first has the row's number; further parts of what a GIS has joined have none yet.
-  Result<std::vector<LabelObject>> objects_of(const LabelStatement& row,
+  Result<std::vector<LabelObject>> objects_of(const SqliteStatement& row,
                                               ObjectKind kind,
                                               const LabelObject* known) const {
     LabelObject object;
@@ -93,7 +93,7 @@ class ForeignFinder {
                        ? known->order
                        : document_.next_order(*class_id);
     object.note = row.text(4);
-    object.width_m = row.number(5);
+    object.width_m = row.is_null(5) ? 0.0 : row.number(5);
     auto parts = parts_of_geometry(row.blob(1));
     if (!parts) return forward_error(parts);
     if (parts->empty()) return fail(ErrorCode::kMalformed, "it has no places");
@@ -120,7 +120,7 @@ class ForeignFinder {
     return class_from_name(name);
   }
 
-  const LabelDatabase& database_;
+  const SqliteDatabase& database_;
   const LabelDocument& document_;
   bool is_document_whole_;
   ObjectId next_id_;
@@ -132,7 +132,7 @@ class ForeignFinder {
 
 }  // namespace
 
-Result<ForeignChanges> find_foreign_changes(const LabelDatabase& database,
+Result<ForeignChanges> find_foreign_changes(const SqliteDatabase& database,
                                             const LabelDocument& document,
                                             bool is_document_whole) {
   auto found = ForeignFinder(database, document, is_document_whole).find();

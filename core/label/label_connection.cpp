@@ -23,13 +23,13 @@ bool has_changes(const fs::path& document) {
   return !error && bytes > 0;
 }
 
-Result<LabelDatabase> open_database(const fs::path& path,
-                                    const std::string& name,
-                                    bool is_for_reading) {
+Result<SqliteDatabase> open_database(const fs::path& path,
+                                     const std::string& name,
+                                     bool is_for_reading) {
   // Reading too needs to write beside a file that another program is writing.
   const bool can_be_written = ::access(path.c_str(), W_OK) == 0;
-  auto database = LabelDatabase::open(
-      path, name, can_be_written ? LabelDatabase::Access::kWrite : LabelDatabase::Access::kRead);
+  auto database =
+      open_label_database(path, name, can_be_written ? SqliteAccess::kWrite : SqliteAccess::kRead);
   if (!database || !is_for_reading) return database;
   if (auto only = database->execute("PRAGMA query_only = ON"); !only) return forward_error(only);
   return database;

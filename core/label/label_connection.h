@@ -20,7 +20,7 @@ class LabelConnection {
   [[nodiscard]] static Result<LabelConnection> open(const std::filesystem::path& path,
                                                     bool is_for_reading);
 
-  [[nodiscard]] const LabelDatabase& database() const { return database_; }
+  [[nodiscard]] const SqliteDatabase& database() const { return database_; }
   /// What would be written would be lost.
   [[nodiscard]] bool is_copy() const { return copy_ != nullptr; }
 
@@ -33,12 +33,12 @@ class LabelConnection {
     ~TemporaryFolder();
   };
 
-  LabelConnection(std::unique_ptr<TemporaryFolder> copy, LabelDatabase database)
+  LabelConnection(std::unique_ptr<TemporaryFolder> copy, SqliteDatabase database)
       : copy_(std::move(copy)), database_(std::move(database)) {}
   [[nodiscard]] static Result<LabelConnection> open_copy(const std::filesystem::path& path);
 
   std::unique_ptr<TemporaryFolder> copy_;  ///< Null: none. Goes after the database.
-  LabelDatabase database_;
+  SqliteDatabase database_;
 };
 
 }  // namespace nadir

@@ -24,7 +24,7 @@ std::optional<double> number_of(const std::map<std::string, std::string>& about,
   return value;
 }
 
-Result<void> add_about(LabelStatement& insert, std::string_view key, const std::string& value) {
+Result<void> add_about(SqliteStatement& insert, std::string_view key, const std::string& value) {
   return insert.add(key).add(value).run();
 }
 
@@ -32,7 +32,7 @@ bool is_count(double value) { return value >= 0.0 && value <= 1e9 && value == st
 
 }  // namespace
 
-Result<void> create_tables(const LabelDatabase& database,
+Result<void> create_tables(const SqliteDatabase& database,
                            const ProjectPlane& plane,
                            const LabelGrid& grid) {
   if (auto made = database.execute(std::string(kLabelSchema)); !made) return made;
@@ -62,7 +62,7 @@ Result<void> create_tables(const LabelDatabase& database,
                                       kGeoPackageId, kGeoPackageVersion));
 }
 
-Result<LabelDocument> read_header(const LabelDatabase& database, const std::string& name) {
+Result<LabelDocument> read_header(const SqliteDatabase& database, const std::string& name) {
   const auto tables =
       database.whole("SELECT count(*) FROM sqlite_schema WHERE name = 'nadir_about'");
   if (!tables) return forward_error(tables);

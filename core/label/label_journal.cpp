@@ -13,11 +13,11 @@ namespace {
 constexpr std::string_view kStepColumns =
     "SELECT step, parent, time, author, title FROM nadir_step";
 
-LabelStep step_of_row(const LabelStatement& row) {
+LabelStep step_of_row(const SqliteStatement& row) {
   return {row.whole(0), row.whole(1), row.text(2), row.text(3), row.text(4)};
 }
 
-Result<std::optional<LabelStep>> first_step(const LabelDatabase& database,
+Result<std::optional<LabelStep>> first_step(const SqliteDatabase& database,
                                             std::string_view condition,
                                             std::int64_t number) {
   auto rows = database.prepare(fmt::format("{} {}", kStepColumns, condition));
@@ -32,7 +32,7 @@ Bytes image_of(const std::shared_ptr<const LabelObject>& object) {
   return object != nullptr ? object_image(*object) : Bytes();
 }
 
-Result<void> add_objects(const LabelDatabase& database, std::int64_t step, const LabelEdit& edit) {
+Result<void> add_objects(const SqliteDatabase& database, std::int64_t step, const LabelEdit& edit) {
   auto insert = database.prepare("INSERT INTO nadir_object_change VALUES (?, ?, ?)");
   if (!insert) return forward_error(insert);
   for (const auto& [before, after] : edit.objects) {
@@ -43,7 +43,7 @@ Result<void> add_objects(const LabelDatabase& database, std::int64_t step, const
   return {};
 }
 
-Result<void> add_tiles(const LabelDatabase& database, std::int64_t step, const LabelEdit& edit) {
+Result<void> add_tiles(const SqliteDatabase& database, std::int64_t step, const LabelEdit& edit) {
   auto insert = database.prepare("INSERT INTO nadir_tile_change VALUES (?, ?, ?, ?)");
   if (!insert) return forward_error(insert);
   for (const TileChange& change : edit.tiles) {
@@ -55,7 +55,7 @@ Result<void> add_tiles(const LabelDatabase& database, std::int64_t step, const L
   return {};
 }
 
-Result<void> add_values(const LabelDatabase& database, std::int64_t step, const LabelEdit& edit) {
+Result<void> add_values(const SqliteDatabase& database, std::int64_t step, const LabelEdit& edit) {
   auto insert = database.prepare("INSERT INTO nadir_value_change VALUES (?, ?, ?, ?)");
   if (!insert) return forward_error(insert);
   for (const ValueChange& change : edit.values) {
@@ -75,7 +75,7 @@ Result<void> add_values(const LabelDatabase& database, std::int64_t step, const 
 /// Undoes or does again what a step has kept.
 class StepReader {
  public:
-  StepReader(const LabelDatabase& database,
+  StepReader(const SqliteDatabase& database,
              const LabelStep& step,
              StepDirection direction,
              const LabelDocument& document)
@@ -91,7 +91,7 @@ class StepReader {
   }
 
  private:
-  [[nodiscard]] Result<LabelStatement> rows_of(std::string_view selection) const {
+  [[nodiscard]] Result<SqliteStatement> rows_of(std::string_view selection) const {
     auto rows = database_.prepare(selection);
     if (rows) rows->add(step_.number);
     return rows;
@@ -152,7 +152,7 @@ class StepReader {
     }
   }
 
-  const LabelDatabase& database_;
+  const SqliteDatabase& database_;
   const LabelStep& step_;
   StepDirection direction_;
   const LabelDocument& document_;
@@ -161,17 +161,17 @@ class StepReader {
 
 }  // namespace
 
-Result<std::int64_t> read_head(const LabelDatabase& database) {
+Result<std::int64_t> read_head(const SqliteDatabase& database) {
   return database.whole("SELECT step FROM nadir_head");
 }
 
-Result<void> write_head(const LabelDatabase& database, std::int64_t step) {
+Result<void> write_head(const SqliteDatabase& database, std::int64_t step) {
   auto update = database.prepare("UPDATE nadir_head SET step = ?");
   if (!update) return forward_error(update);
   return update->add(step).run();
 }
 
-Result<std::int64_t> add_step(const LabelDatabase& database,
+Result<std::int64_t> add_step(const SqliteDatabase& database,
                               LabelStep step,
                               const LabelEdit& edit) {
   const auto last = database.whole("SELECT max(step) FROM nadir_step");
@@ -188,16 +188,16 @@ Result<std::int64_t> add_step(const LabelDatabase& database,
   return step.number;
 }
 
-Result<std::optional<LabelStep>> read_step(const LabelDatabase& database, std::int64_t number) {
+Result<std::optional<LabelStep>> read_step(const SqliteDatabase& database, std::int64_t number) {
   return first_step(database, "WHERE step = ?", number);
 }
 
-Result<std::optional<LabelStep>> youngest_after(const LabelDatabase& database,
+Result<std::optional<LabelStep>> youngest_after(const SqliteDatabase& database,
                                                 std::int64_t number) {
   return first_step(database, "WHERE parent = ? ORDER BY step DESC LIMIT 1", number);
 }
 
-Result<std::vector<LabelStep>> read_steps(const LabelDatabase& database,
+Result<std::vector<LabelStep>> read_steps(const SqliteDatabase& database,
                                           std::int64_t first,
                                           int count) {
   auto rows =
@@ -213,7 +213,7 @@ Result<std::vector<LabelStep>> read_steps(const LabelDatabase& database,
   }
 }
 
-Result<LabelEdit> edit_of_step(const LabelDatabase& database,
+Result<LabelEdit> edit_of_step(const SqliteDatabase& database,
                                const LabelStep& step,
                                StepDirection direction,
                                const LabelDocument& document) {

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/map/class_images.h"
-
 namespace nadir {
 namespace {
 
@@ -95,11 +93,6 @@ PlaneBounds drawn_bounds(const LabelObject& object) {
   }
   if (object.kind == ObjectKind::kLine) bounds.grow(object.width_m / 2.0);
   return bounds;
-}
-
-int drawing_level(ClassId id) {
-  const auto* const found = std::find(kPaintingOrder.begin(), kPaintingOrder.end(), id);
-  return static_cast<int>(found - kPaintingOrder.begin());
 }
 
 }  // namespace nadir

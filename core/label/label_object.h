@@ -53,13 +53,11 @@ inline constexpr double kMostObjectWidthM = 1e4;
 /// Where the object draws anything, at any resolution but for half a cell.
 [[nodiscard]] PlaneBounds drawn_bounds(const LabelObject& object);
 
-/// Classes are drawn in levels: areas below what stands on them, lines and single things above; unclassified, which takes
-/// away, above all. Objects get their place in the level of their class unless somebody raises or lowers them.
+/// Classes are drawn in levels, those of drawing_level(), with unclassified, which takes away, above all. Objects get their
+/// place in the level of their class unless somebody raises or lowers them.
 inline constexpr std::int64_t kOrdersPerLevel = std::int64_t{1} << 40U;
 /// Between neighbours, so that there is room to put others between them.
 inline constexpr std::int64_t kOrderStep = std::int64_t{1} << 20U;
-/// From 0, kClassCount for kUnclassified.
-[[nodiscard]] int drawing_level(ClassId id);
 [[nodiscard]] constexpr std::int64_t level_of_order(std::int64_t order) {
   return order >> 40U;  // Rounds down, also below 0.
 }

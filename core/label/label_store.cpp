@@ -64,9 +64,9 @@ Result<LabelStore> LabelStore::create(const fs::path& path,
     auto staged = StagedOutput::file(path);
     if (!staged) return forward_error(staged);
     {
-      auto database = LabelDatabase::open(staged->path(), name, LabelDatabase::Access::kCreate);
+      auto database = open_label_database(staged->path(), name, SqliteAccess::kCreate);
       if (!database) return forward_error(database);
-      auto transaction = LabelTransaction::begin(*database, "BEGIN IMMEDIATE");
+      auto transaction = SqliteTransaction::begin(*database, "BEGIN IMMEDIATE");
       if (!transaction) return forward_error(transaction);
       if (auto made = create_tables(*database, plane, grid); !made) return forward_error(made);
       if (auto made = transaction->commit(); !made) return forward_error(made);

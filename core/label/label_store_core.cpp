@@ -32,7 +32,7 @@ Result<void> LabelStore::Implementation::check_writable() const {
 }
 
 Result<void> LabelStore::Implementation::read_all() {
-  auto transaction = LabelTransaction::begin(database(), "BEGIN");
+  auto transaction = SqliteTransaction::begin(database(), "BEGIN");
   if (!transaction) return forward_error(transaction);
   const auto contents = read_contents(database(), document);
   if (!contents) return forward_error(contents);
@@ -90,7 +90,7 @@ Result<void> LabelStore::Implementation::prepare_writing() {
 Result<void> LabelStore::Implementation::write(bool expects_own,
                                                const std::function<Result<void>()>& change) {
   if (auto prepared = prepare_writing(); !prepared) return prepared;
-  auto transaction = LabelTransaction::begin(database(), "BEGIN IMMEDIATE");
+  auto transaction = SqliteTransaction::begin(database(), "BEGIN IMMEDIATE");
   if (!transaction) return forward_error(transaction);
   const auto version = database().whole("PRAGMA data_version");
   if (!version) return forward_error(version);
@@ -178,7 +178,7 @@ Result<void> LabelStore::Implementation::go_to(std::int64_t number) {
 }
 
 Result<ForeignChanges> LabelStore::Implementation::find_foreign() {
-  auto transaction = LabelTransaction::begin(database(), "BEGIN");
+  auto transaction = SqliteTransaction::begin(database(), "BEGIN");
   if (!transaction) return forward_error(transaction);
   auto changes = find_foreign_changes(database(), document, !is_damaged);
   if (!changes) return changes;

@@ -42,7 +42,7 @@ struct LabelStore::Implementation {
   bool is_damaged = false;
   bool is_closed = false;
 
-  [[nodiscard]] const LabelDatabase& database() const { return connection.database(); }
+  [[nodiscard]] const SqliteDatabase& database() const { return connection.database(); }
   [[nodiscard]] Result<void> check_writable() const;
   [[nodiscard]] Result<void> read_all();
   [[nodiscard]] Result<void> commit(const LabelEdit& edit);

@@ -80,7 +80,7 @@ Result<void> LabelSync::bring() const {
   std::error_code ignored;
   const std::uintmax_t bytes = std::filesystem::file_size(changes_, ignored);
   if (ignored || bytes < kMostChangeBytes) return {};
-  auto database = LabelDatabase::open(document_, document_.string(), LabelDatabase::Access::kWrite);
+  auto database = open_label_database(document_, document_.string(), SqliteAccess::kWrite);
   if (!database) return forward_error(database);
   // Without waiting for readers or writers: what they hold up is carried over the next time.
   return database->execute("PRAGMA wal_checkpoint(PASSIVE)");

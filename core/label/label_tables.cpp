@@ -37,7 +37,7 @@ std::string upsert_of(ObjectKind kind) {
   return {};
 }
 
-Result<void> write_object(const LabelDatabase& database, const LabelObject& object) {
+Result<void> write_object(const SqliteDatabase& database, const LabelObject& object) {
   auto row = database.prepare(upsert_of(object.kind));
   if (!row) return forward_error(row);
   const Bytes geometry = geopackage_geometry(object, kPlaneSrsId);
@@ -56,7 +56,7 @@ Result<void> write_object(const LabelDatabase& database, const LabelObject& obje
   return shadow->add(object.id).add(ByteSpan(image)).run();
 }
 
-Result<void> write_objects(const LabelDatabase& database,
+Result<void> write_objects(const SqliteDatabase& database,
                            const std::vector<ObjectChange>& changes) {
   for (const auto& [before, after] : changes) {
     if (before != nullptr && (after == nullptr || after->kind != before->kind)) {
@@ -73,7 +73,7 @@ Result<void> write_objects(const LabelDatabase& database,
   return {};
 }
 
-Result<void> write_tiles(const LabelDatabase& database, const std::vector<TileChange>& changes) {
+Result<void> write_tiles(const SqliteDatabase& database, const std::vector<TileChange>& changes) {
   auto put = database.prepare("INSERT OR REPLACE INTO nadir_tile VALUES (?, ?, ?)");
   if (!put) return forward_error(put);
   auto remove = database.prepare("DELETE FROM nadir_tile WHERE tile_column = ? AND tile_row = ?");
@@ -93,7 +93,7 @@ Result<void> write_tiles(const LabelDatabase& database, const std::vector<TileCh
   return {};
 }
 
-Result<void> write_values(const LabelDatabase& database, const std::vector<ValueChange>& changes) {
+Result<void> write_values(const SqliteDatabase& database, const std::vector<ValueChange>& changes) {
   for (const ValueChange& change : changes) {
     const bool is_kept = change.value.after != nullptr;
     auto statement = database.prepare(is_kept ? "INSERT OR REPLACE INTO nadir_value VALUES (?, ?)"
@@ -119,17 +119,17 @@ PlaneBounds bounds_of_kind(const LabelDocument& document, ObjectKind kind) {
 
 }  // namespace
 
-Result<void> remove_row(const LabelDatabase& database, ObjectKind kind, ObjectId id) {
+Result<void> remove_row(const SqliteDatabase& database, ObjectKind kind, ObjectId id) {
   auto row = database.prepare(fmt::format("DELETE FROM {} WHERE fid = ?", enum_name(kind)));
   if (!row) return forward_error(row);
   return row->add(id).run();
 }
 
-Result<ReadContents> read_contents(const LabelDatabase& database, LabelDocument& document) {
+Result<ReadContents> read_contents(const SqliteDatabase& database, LabelDocument& document) {
   ReadContents read;
   LabelEdit edit;
   const auto objects =
-      visit_rows(database, "nadir_object", "image", [&](const LabelStatement& row) {
+      visit_rows(database, "nadir_object", "image", [&](const SqliteStatement& row) {
         auto object = object_of_image(row.blob(1), row.whole(0));
         if (object) {
           edit.objects.push_back(
@@ -141,7 +141,7 @@ Result<ReadContents> read_contents(const LabelDatabase& database, LabelDocument&
       });
   if (!objects) return forward_error(objects);
   const auto tiles = visit_rows(
-      database, "nadir_tile", "tile_column, tile_row, data", [&](const LabelStatement& row) {
+      database, "nadir_tile", "tile_column, tile_row, data", [&](const SqliteStatement& row) {
         const std::int64_t column = row.whole(1);
         const std::int64_t tile_row = row.whole(2);
         auto tile = unpacked_tile(row.blob(3));
@@ -157,7 +157,7 @@ Result<ReadContents> read_contents(const LabelDatabase& database, LabelDocument&
       });
   if (!tiles) return forward_error(tiles);
   const auto values =
-      visit_rows(database, "nadir_value", "key, value", [&](const LabelStatement& row) {
+      visit_rows(database, "nadir_value", "key, value", [&](const SqliteStatement& row) {
         edit.values.push_back(
             {row.text(1), {nullptr, std::make_shared<const std::string>(row.text(2))}});
       });
@@ -173,7 +173,7 @@ Result<ReadContents> read_contents(const LabelDatabase& database, LabelDocument&
   return read;
 }
 
-Result<void> write_edit(const LabelDatabase& database, const LabelEdit& edit) {
+Result<void> write_edit(const SqliteDatabase& database, const LabelEdit& edit) {
   if (auto written = write_objects(database, edit.objects); !written) return written;
   if (!edit.tiles.empty()) {
     if (auto written = write_tiles(database, edit.tiles); !written) return written;
@@ -181,7 +181,7 @@ Result<void> write_edit(const LabelDatabase& database, const LabelEdit& edit) {
   return write_values(database, edit.values);
 }
 
-Result<void> write_layer_facts(const LabelDatabase& database, const LabelDocument& document) {
+Result<void> write_layer_facts(const SqliteDatabase& database, const LabelDocument& document) {
   auto contents = database.prepare(
       "UPDATE gpkg_contents SET last_change = strftime('%Y-%m-%dT%H:%M:%fZ','now'), min_x = ?, "
       "min_y = ?, max_x = ?, max_y = ? WHERE table_name = ?");

@@ -6,10 +6,10 @@
 
 namespace nadir {
 
-Result<bool> visit_rows(const LabelDatabase& database,
+Result<bool> visit_rows(const SqliteDatabase& database,
                         const std::string& table,
                         const std::string& columns,
-                        const std::function<void(const LabelStatement& row)>& take) {
+                        const std::function<void(const SqliteStatement& row)>& take) {
   const std::string selection =
       fmt::format("SELECT rowid, {} FROM {} ORDER BY rowid", columns, table);
   auto last = std::numeric_limits<std::int64_t>::min();

@@ -13,9 +13,9 @@ namespace nadir {
 /// the last back to it. Private to this module.
 /// @param columns  After the table's row id, which is column 0. @param table  By its name.
 /// @returns whether the table was whole. @errors kIo, such as a disk that fails.
-[[nodiscard]] Result<bool> visit_rows(const LabelDatabase& database,
+[[nodiscard]] Result<bool> visit_rows(const SqliteDatabase& database,
                                       const std::string& table,
                                       const std::string& columns,
-                                      const std::function<void(const LabelStatement& row)>& take);
+                                      const std::function<void(const SqliteStatement& row)>& take);
 
 }  // namespace nadir

@@ -4,7 +4,6 @@
 #include <gdal_priv.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstdlib>
 
@@ -60,11 +59,6 @@ Result<std::vector<fs::path>> sorted_pngs(const fs::path& folder) {
   if (error) return fail(ErrorCode::kIo, "{}: {}", folder.string(), error.message());
   std::sort(paths.begin(), paths.end());
   return paths;
-}
-
-int position_in_painting_order(ClassId id) {
-  const auto* const found = std::find(kPaintingOrder.begin(), kPaintingOrder.end(), id);
-  return static_cast<int>(found - kPaintingOrder.begin());
 }
 
 /// How the values of an image become brightness in [0, 255].
@@ -231,7 +225,7 @@ Result<SourceLabels> read_class_images(const fs::path& folder, const ImportOptio
                 folder.string());
   }
   std::stable_sort(images.begin(), images.end(), [](const ClassImage& a, const ClassImage& b) {
-    return position_in_painting_order(a.id) < position_in_painting_order(b.id);
+    return drawing_level(a.id) < drawing_level(b.id);
   });
   Painter painter(options);
   for (const ClassImage& image : images) {

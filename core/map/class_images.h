@@ -26,15 +26,8 @@ struct SourceLabels {
                                                     const ImportOptions& options);
 
 /// A folder of class<N>.png or <class name>.png, one a class. Where several classes claim a cell,
-/// the later of kPaintingOrder wins. @errors those of import_map.
+/// the one of the higher drawing_level() wins. @errors those of import_map.
 [[nodiscard]] Result<SourceLabels> read_class_images(const std::filesystem::path& folder,
                                                      const ImportOptions& options);
-
-/// Areas first, then what stands on them, then lines, then single things: what is thin would
-/// otherwise vanish.
-inline constexpr std::array<ClassId, kClassCount> kPaintingOrder{
-    kSky,         kTerrain,      kVegetation,  kSidewalk, kRoad, kBuilding,
-    kCurb,        kLaneMarking,  kRailing,     kFence,    kCar,  kPedestrian,
-    kTrafficSign, kTrafficLight, kStreetLight, kPole};
 
 }  // namespace nadir

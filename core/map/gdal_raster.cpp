@@ -104,8 +104,13 @@ Result<void> check_latitudes(const Placement& placement, const std::string& name
 void GdalCloser::operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 
 GdalMessages::GdalMessages() {
+  // What GDAL keeps of pixels that were read; its own limit is a share of the machine's memory.
+  constexpr GIntBig kMostKeptBytes = GIntBig{128} << 20;
   static std::once_flag once;
-  std::call_once(once, GDALAllRegister);
+  std::call_once(once, [] {
+    GDALAllRegister();
+    GDALSetCacheMax64(kMostKeptBytes);
+  });
   CPLPushErrorHandlerEx(note_message, this);
 }
 

@@ -76,18 +76,18 @@ std::vector<int> overview_factors(int width, int height) {
   return factors;
 }
 
-Result<GdalDataset> create_tiff(const OverheadMap& map,
+Result<GdalDataset> create_tiff(const MapGrid& grid,
                                 const fs::path& path,
                                 int bands,
                                 const CPLStringList& options,
                                 const GdalMessages& messages) {
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
-  NADIR_REQUIRE(driver != nullptr && !map.labels.empty() && map.metres_per_cell > 0.0);
-  GdalDataset dataset(driver->Create(path.c_str(), map.labels.width(), map.labels.height(), bands,
-                                     GDT_Byte, options.List()));
+  NADIR_REQUIRE(driver != nullptr && grid.width > 0 && grid.height > 0);
+  NADIR_REQUIRE(grid.metres_per_cell > 0.0);
+  GdalDataset dataset(
+      driver->Create(path.c_str(), grid.width, grid.height, bands, GDT_Byte, options.List()));
   if (dataset == nullptr) return fail(ErrorCode::kIo, "{}: {}", path.string(), messages.text());
-  set_placement(*dataset, placement_on({map.plane, map.metres_per_cell, map.top_left_in_enu_m,
-                                        map.labels.width(), map.labels.height()}));
+  set_placement(*dataset, placement_on(grid));
   return dataset;
 }
 
@@ -110,6 +110,25 @@ Result<void> finish_tiff(GdalDataset dataset,
   return {};
 }
 
+Result<void> check_ids(const Raster<ClassId>& labels, const std::string& name) {
+  const auto& values = labels.values();
+  const auto bad = std::find_if(values.begin(), values.end(), [](ClassId id) {
+    return id >= kClassCount && id != kUnclassified;
+  });
+  if (bad == values.end()) return {};
+  const auto index = static_cast<std::size_t>(bad - values.begin());
+  const auto width = static_cast<std::size_t>(labels.width());
+  return fail(ErrorCode::kMalformed, "{}: id {} at column {}, row {} is no class", name,
+              static_cast<int>(*bad), index % width, index / width);
+}
+
+MapGrid grid_of(const OverheadMap& map) {
+  return {map.plane, map.metres_per_cell, map.top_left_in_enu_m, map.labels.width(),
+          map.labels.height()};
+}
+
+}  // namespace
+
 void describe_classes(GDALRasterBand& band) {
   GDALColorTable colours;
   CPLStringList names;
@@ -131,20 +150,6 @@ void describe_classes(GDALRasterBand& band) {
     band.SetMetadataItem(fmt::format("CLASS_{}", id).c_str(), names[id]);
   }
 }
-
-Result<void> check_ids(const Raster<ClassId>& labels, const std::string& name) {
-  const auto& values = labels.values();
-  const auto bad = std::find_if(values.begin(), values.end(), [](ClassId id) {
-    return id >= kClassCount && id != kUnclassified;
-  });
-  if (bad == values.end()) return {};
-  const auto index = static_cast<std::size_t>(bad - values.begin());
-  const auto width = static_cast<std::size_t>(labels.width());
-  return fail(ErrorCode::kMalformed, "{}: id {} at column {}, row {} is no class", name,
-              static_cast<int>(*bad), index % width, index / width);
-}
-
-}  // namespace
 
 Result<void> check_no_data(GDALDataset& dataset, const std::string& name) {
   const std::optional<double> no_data = no_data_of(dataset);
@@ -185,23 +190,39 @@ Result<ColourRaster> read_image_tiff(const fs::path& path) {
 }
 
 Result<void> write_label_tiff(const OverheadMap& map, const fs::path& path) {
+  const auto rows = [&map](int first, int count) -> Result<Raster<ClassId>> {
+    Raster<ClassId> strip(map.labels.width(), count);
+    std::copy_n(map.labels.row(first).data(), strip.size(), strip.data());
+    return strip;
+  };
+  return write_label_tiff({map.name, map.plane, map.metres_per_cell, map.top_left_in_enu_m,
+                           map.labels.width(), map.labels.height(), rows},
+                          path);
+}
+
+Result<void> write_label_tiff(const LabelStrips& labels, const fs::path& path) {
+  constexpr int kRowsAtOnce = 1024;  // A whole number of rows of tiles.
   const GdalMessages messages;
   CPLStringList options;
-  for (const char* option : {"TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=9", "BIGTIFF=IF_SAFER"}) {
+  // Level 9 takes four times as long and saves nothing.
+  for (const char* option : {"TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=7", "BIGTIFF=IF_SAFER"}) {
     options.AddString(option);
   }
-  auto dataset = create_tiff(map, path, 1, options, messages);
+  auto dataset = create_tiff(
+      {labels.plane, labels.metres_per_cell, labels.top_left_in_enu_m, labels.width, labels.height},
+      path, 1, options, messages);
   if (!dataset) return forward_error(dataset);
   GDALRasterBand& band = *(*dataset)->GetRasterBand(1);
   describe_classes(band);
-  // GDAL's interface for reading and writing is one, hence the cast; it does not write to this
-  // buffer.
-  auto* cells = const_cast<ClassId*>(map.labels.data());
-  const int width = map.labels.width();
-  const int height = map.labels.height();
-  if (band.RasterIO(GF_Write, 0, 0, width, height, cells, width, height, GDT_Byte, 0, 0, nullptr) !=
-      CE_None) {
-    return fail(ErrorCode::kIo, "{}: cannot be written ({})", path.string(), messages.text());
+  for (int first = 0; first < labels.height; first += kRowsAtOnce) {
+    const int count = std::min(kRowsAtOnce, labels.height - first);
+    auto strip = labels.rows(first, count);
+    if (!strip) return forward_error(strip);
+    NADIR_REQUIRE(strip->width() == labels.width && strip->height() == count);
+    if (band.RasterIO(GF_Write, 0, first, labels.width, count, strip->data(), labels.width, count,
+                      GDT_Byte, 0, 0, nullptr) != CE_None) {
+      return fail(ErrorCode::kIo, "{}: cannot be written ({})", path.string(), messages.text());
+    }
   }
   return finish_tiff(std::move(*dataset), "NEAREST", path, messages);
 }
@@ -215,7 +236,7 @@ Result<void> write_image_tiff(const OverheadMap& map,
                              "INTERLEAVE=PIXEL", "BIGTIFF=IF_SAFER"}) {
     options.AddString(option);
   }
-  auto dataset = create_tiff(map, path, 3, options, messages);
+  auto dataset = create_tiff(grid_of(map), path, 3, options, messages);
   if (!dataset) return forward_error(dataset);
   auto* pixels = const_cast<Colour*>(image.data());  // as above
   std::array<int, 3> channels{1, 2, 3};

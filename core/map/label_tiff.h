@@ -10,6 +10,7 @@
 #include "core/map/overhead_map_file.h"
 
 class GDALDataset;
+class GDALRasterBand;
 
 namespace nadir {
 
@@ -41,8 +42,14 @@ struct LabelTiff {
 /// @errors kNotFound, kMalformed: as above.
 [[nodiscard]] Result<ColourRaster> read_image_tiff(const std::filesystem::path& path);
 
+/// Names and colours of our classes, and what is no class.
+void describe_classes(GDALRasterBand& band);
+
 /// @errors kIo.
 [[nodiscard]] Result<void> write_label_tiff(const OverheadMap& map,
+                                            const std::filesystem::path& path);
+/// The same strip by strip. @errors kIo; those of its rows.
+[[nodiscard]] Result<void> write_label_tiff(const LabelStrips& labels,
                                             const std::filesystem::path& path);
 [[nodiscard]] Result<void> write_image_tiff(const OverheadMap& map,
                                             const ColourRaster& image,

@@ -11,6 +11,7 @@ namespace nadir {
 namespace {
 
 constexpr double kMaxSpanMetres = 1e6;
+constexpr double kMostCellsOfASide = 1e8;
 
 Eigen::Vector2d size_of(const Placement& placement) {
   return {static_cast<double>(placement.width), static_cast<double>(placement.height)};
@@ -168,7 +169,7 @@ std::optional<ProjectPlane> plane_of(const OGRSpatialReference& crs) {
 
 }  // namespace
 
-std::optional<MapGrid> own_grid(const Placement& placement) {
+std::optional<MapGrid> own_grid(const Placement& placement, std::int64_t most_cells) {
   const Affine2& affine = placement.crs_from_pixel;
   const double cell_m = affine.linear(0, 0);
   if (!affine.is_north_up() || affine.linear(1, 1) != -cell_m) return std::nullopt;
@@ -181,23 +182,37 @@ std::optional<MapGrid> own_grid(const Placement& placement) {
   const Eigen::Vector2d centre_in_enu = affine * (0.5 * size);
   if (!(centre_in_enu.norm() <= kFarthestCentreMetres) ||
       !(size.maxCoeff() * cell_m <= kMaxSpanMetres) ||
-      !(size.prod() <= static_cast<double>(kMaxMapCells))) {
+      !(size.prod() <= static_cast<double>(most_cells))) {
     return std::nullopt;
   }
   return MapGrid{*plane, cell_m, affine.offset, placement.width, placement.height};
 }
 
+Result<ProjectPlane> plane_centred_on(const Placement& placement, const std::string& name) {
+  const GdalMessages messages;
+  const auto centre = centre_of(placement, crs_from_wkt(placement.crs_wkt), name);
+  if (!centre) return forward_error(centre);
+  auto plane = ProjectPlane::create(*centre);
+  if (!plane) return fail(ErrorCode::kMalformed, "{}: {}", name, plane.error().message);
+  return plane;
+}
+
 Result<PlannedGrid> plan_grid(const Placement& placement,
                               std::optional<double> metres_per_cell,
                               const std::string& name) {
+  const auto plane = plane_centred_on(placement, name);
+  if (!plane) return forward_error(plane);
+  return plan_grid_on(*plane, placement, metres_per_cell, name, kMaxMapCells);
+}
+
+Result<PlannedGrid> plan_grid_on(const ProjectPlane& plane,
+                                 const Placement& placement,
+                                 std::optional<double> metres_per_cell,
+                                 const std::string& name,
+                                 std::int64_t most_cells) {
   const GdalMessages messages;
   const OGRSpatialReference crs = crs_from_wkt(placement.crs_wkt);
-  const auto centre = centre_of(placement, crs, name);
-  if (!centre) return forward_error(centre);
-  const auto plane = ProjectPlane::create(*centre);
-  if (!plane) return fail(ErrorCode::kMalformed, "{}: {}", name, plane.error().message);
-
-  const auto enu_from_crs = CrsTransform::create(crs, crs_from_wkt(plane->wkt()));
+  const auto enu_from_crs = CrsTransform::create(crs, crs_from_wkt(plane.wkt()));
   if (!enu_from_crs) return forward_error(enu_from_crs, name);
   const auto bounds = bounds_on_plane(placement, *enu_from_crs);
   const auto pixel = ground_pixel(placement, *enu_from_crs);
@@ -213,17 +228,18 @@ Result<PlannedGrid> plan_grid(const Placement& placement,
                                     pixel->centre_in_enu_m.x(), extent_m.x(), cell_m);
   const CellAxis south = cells_along(-bounds->max().y(), -bounds->min().y(),
                                      -pixel->centre_in_enu_m.y(), extent_m.y(), cell_m);
-  if (!(cell_m > 0.0) || !(east.cells * south.cells <= static_cast<double>(kMaxMapCells))) {
+  if (!(cell_m > 0.0) || !(east.cells * south.cells <= static_cast<double>(most_cells)) ||
+      !(std::max(east.cells, south.cells) <= kMostCellsOfASide)) {
     return fail(ErrorCode::kUnsupported,
                 "{}: {:.0f} x {:.0f} cells of {:.4g} m are more than a map may have", name,
                 east.cells, south.cells, cell_m);
   }
-  MapGrid grid{*plane,
+  MapGrid grid{plane,
                cell_m,
                {east.first_edge_m, -south.first_edge_m},
                static_cast<int>(east.cells),
                static_cast<int>(south.cells)};
-  return PlannedGrid{std::move(grid), notices_about(placement, crs, ground_m, cell_m)};
+  return PlannedGrid{std::move(grid), ground_m, notices_about(placement, crs, ground_m, cell_m)};
 }
 
 Placement placement_on(const MapGrid& grid) {

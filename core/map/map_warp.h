@@ -32,10 +32,13 @@ struct MapGrid {
 /// ProjectPlane::wkt describes it, whose origin is at most 5 km from the raster's centre, such as
 /// the labels of a map package. Nothing where it is not: farther out the plane's metres are none,
 /// and the raster is warped like any other.
-[[nodiscard]] std::optional<MapGrid> own_grid(const Placement& placement);
+[[nodiscard]] std::optional<MapGrid> own_grid(const Placement& placement,
+                                              std::int64_t most_cells = kMaxMapCells);
 
 struct PlannedGrid {
   MapGrid grid;
+  /// Of the raster's centre pixel, measured: along a row and along a column.
+  Eigen::Vector2d ground_m_per_pixel = Eigen::Vector2d::Zero();
   std::vector<std::string>
       notices;  ///< What the user should know: the pixels are not what the file says they are.
 };
@@ -49,6 +52,16 @@ struct PlannedGrid {
 [[nodiscard]] Result<PlannedGrid> plan_grid(const Placement& placement,
                                             std::optional<double> metres_per_cell,
                                             const std::string& name);
+
+/// The same on a plane that is there already. @errors as plan_grid; kUnsupported where it leaves the plane.
+[[nodiscard]] Result<PlannedGrid> plan_grid_on(const ProjectPlane& plane,
+                                               const Placement& placement,
+                                               std::optional<double> metres_per_cell,
+                                               const std::string& name,
+                                               std::int64_t most_cells);
+/// The plane that is centred on a raster. @errors as plan_grid.
+[[nodiscard]] Result<ProjectPlane> plane_centred_on(const Placement& placement,
+                                                    const std::string& name);
 
 /// By nearest neighbour; kUnclassified where the source has nothing. @errors kCancelled,
 /// kMalformed.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/durability.h"
 #include "core/base/require.h"
 #include "core/base/settings.h"
 #include "core/base/staged_output.h"
@@ -73,7 +74,9 @@ Result<ProjectPlane> read_plane(const Settings& settings) {
   return plane;
 }
 
-std::string settings_text(const OverheadMap& map, const MapProvenance& provenance) {
+std::string settings_text(const std::string& name,
+                          const ProjectPlane& plane,
+                          const MapProvenance& provenance) {
   std::string classes;
   for (int id = 0; id < kClassCount; ++id) {
     classes += fmt::format("{}{}", id == 0 ? "" : ", ",
@@ -95,9 +98,9 @@ std::string settings_text(const OverheadMap& map, const MapProvenance& provenanc
       "[plane]\n"
       "latitude_deg = {:#.17g}\n"
       "longitude_deg = {:#.17g}\n",
-      kFormat, toml_quoted(provenance.name.empty() ? map.name : provenance.name),
+      kFormat, toml_quoted(provenance.name.empty() ? name : provenance.name),
       toml_quoted(provenance.source), toml_quoted(provenance.licence), toml_quoted(provenance.date),
-      classes, map.plane.origin().latitude_deg, map.plane.origin().longitude_deg);
+      classes, plane.origin().latitude_deg, plane.origin().longitude_deg);
 }
 
 /// What others put into a package, such as the labelling document, survives when the map is written
@@ -117,6 +120,48 @@ Result<void> carry_over_other_files(const fs::path& package, const fs::path& sta
                 error.message());
   }
   return {};
+}
+
+/// Whether labels may be written into a package that is there. @errors kIo: they do not belong to it.
+Result<void> check_same_map(const LabelStrips& labels, const fs::path& package) {
+  const auto plane = read_map_plane(package);
+  if (!plane) return forward_error(plane);
+  if (!(*plane == labels.plane)) {
+    return fail(ErrorCode::kIo, "{}: is a map on another plane, which is left alone",
+                package.string());
+  }
+  std::error_code error;
+  const fs::path image_path = package / kImageFile;
+  if (!fs::exists(image_path, error)) return {};
+  const auto image = read_tiff_place(image_path, *plane);
+  if (!image) return forward_error(image);
+  if (image->width != labels.width || image->height != labels.height ||
+      std::abs(image->metres_per_cell - labels.metres_per_cell) * labels.width >
+          0.01 * labels.metres_per_cell ||
+      (image->top_left_in_enu_m - labels.top_left_in_enu_m).norm() >
+          0.01 * labels.metres_per_cell) {
+    return fail(ErrorCode::kIo,
+                "{}: its picture of {} x {} cells of {:.6g} m is not where the labels of {} x {} "
+                "cells of {:.6g} m are; write them elsewhere",
+                package.string(), image->width, image->height, image->metres_per_cell, labels.width,
+                labels.height, labels.metres_per_cell);
+  }
+  return {};
+}
+
+/// Puts files of a staged folder in the place of those of a package, the labels last: until then it is the old map.
+Result<void> replace_files(const fs::path& staged, const fs::path& package) {
+  if (const auto safe = detail::wait_for_disk(staged); !safe) return forward_error(safe);
+  for (const char* name : {kSettingsFile, "labels.tif.aux.xml", kLabelsFile}) {
+    std::error_code error;
+    if (!fs::exists(staged / name, error)) continue;
+    fs::rename(staged / name, package / name, error);
+    if (error) {
+      return fail(ErrorCode::kIo, "{}: cannot be replaced ({})", (package / name).string(),
+                  error.message());
+    }
+  }
+  return detail::wait_for_name(package / kLabelsFile);
 }
 
 }  // namespace
@@ -203,13 +248,34 @@ Result<void> write_overhead_map(const OverheadMap& map,
     const auto done = write_image_tiff(map, *image, staged->path() / kImageFile);
     if (!done) return forward_error(done);
   }
-  const auto done = write_text_file(staged->path() / kSettingsFile, settings_text(map, provenance));
+  const auto done = write_text_file(staged->path() / kSettingsFile,
+                                    settings_text(map.name, map.plane, provenance));
   if (!done) return forward_error(done);
   // Last, for labels take minutes to write, and a labelling document is saved meanwhile.
   if (const auto kept = carry_over_other_files(package, staged->path()); !kept) {
     return forward_error(kept);
   }
   return staged->commit();
+}
+
+Result<void> write_labels_of_map(const LabelStrips& labels,
+                                 const MapProvenance& provenance,
+                                 const fs::path& package) {
+  NADIR_REQUIRE(labels.width > 0 && labels.height > 0 && labels.rows != nullptr);
+  std::error_code error;
+  const bool is_there = fs::exists(package / kSettingsFile, error);
+  if (is_there) {
+    if (const auto same = check_same_map(labels, package); !same) return forward_error(same);
+  }
+  auto staged = StagedOutput::folder(package, kSettingsFile);
+  if (!staged) return forward_error(staged);
+  if (const auto done = write_label_tiff(labels, staged->path() / kLabelsFile); !done) {
+    return forward_error(done);
+  }
+  const auto done = write_text_file(staged->path() / kSettingsFile,
+                                    settings_text(labels.name, labels.plane, provenance));
+  if (!done) return forward_error(done);
+  return is_there ? replace_files(staged->path(), package) : staged->commit();
 }
 
 }  // namespace nadir

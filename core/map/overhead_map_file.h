@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -42,5 +43,24 @@ using ColourRaster = Raster<Colour>;
                                               const MapProvenance& provenance,
                                               const std::optional<ColourRaster>& image,
                                               const std::filesystem::path& package);
+
+/// Labels that are made as they are written, so that a map may be larger than the memory.
+struct LabelStrips {
+  std::string name;
+  ProjectPlane plane;
+  double metres_per_cell = 0.1;
+  Eigen::Vector2d top_left_in_enu_m = Eigen::Vector2d::Zero();
+  int width = 0, height = 0;
+  /// Of rows [first, first + count): as wide as the map. Asked for once each, from the top. Its errors end the writing.
+  std::function<Result<Raster<ClassId>>(int first, int count)> rows;
+};
+
+/// Writes the labels and map.toml of a package, new or there already. In one that is there each file is replaced by itself,
+/// and picture, labelling document and all others stay where they are, so that who has them open may go on.
+/// @errors kIo: cannot be written, the folder holds something else, or a map on another plane or with a picture of other
+/// cells, which is then left alone; those of `rows`.
+[[nodiscard]] Result<void> write_labels_of_map(const LabelStrips& labels,
+                                               const MapProvenance& provenance,
+                                               const std::filesystem::path& package);
 
 }  // namespace nadir

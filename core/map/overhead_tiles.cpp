@@ -8,39 +8,12 @@
 #include "core/base/require.h"
 #include "core/map/gdal_raster.h"
 #include "core/map/label_tiff.h"
+#include "core/map/tile_source.h"
 
 namespace nadir {
 
-struct OverheadTiles::Implementation {
-  std::string name;
-  TiffPlace place;
-  GdalDataset dataset;
-
-  /// Reads bands 1 to `bands` of a tile, interleaved by pixel, as numbers of `type`.
-  Result<void> read(const TileAddress& tile,
-                    const Eigen::Vector4i& cells,
-                    int bands,
-                    GDALRIOResampleAlg resampling,
-                    int width,
-                    int height,
-                    GDALDataType type,
-                    void* into) const {
-    const GdalMessages messages;
-    GDALRasterIOExtraArg extra;
-    INIT_RASTERIO_EXTRA_ARG(extra);
-    extra.eResampleAlg = resampling;
-    const GSpacing size = GDALGetDataTypeSizeBytes(type);
-    const CPLErr error =
-        dataset->RasterIO(GF_Read, cells[0], cells[1], cells[2], cells[3], into, width, height,
-                          type, bands, nullptr, bands * size, bands * size * width, size, &extra);
-    if (error == CE_None && !messages.has_failed()) return {};
-    return fail(ErrorCode::kMalformed, "{}: cannot be read at column {}, row {} of level {} ({})",
-                name, tile.column, tile.row, tile.level, messages.text());
-  }
-};
-
-OverheadTiles::OverheadTiles(std::unique_ptr<Implementation> implementation)
-    : implementation_(std::move(implementation)) {}
+OverheadTiles::OverheadTiles(std::unique_ptr<const TileSource> source)
+    : source_(std::move(source)) {}
 OverheadTiles::OverheadTiles(OverheadTiles&&) noexcept = default;
 OverheadTiles::~OverheadTiles() = default;
 
@@ -49,7 +22,7 @@ Result<OverheadTiles> OverheadTiles::open(const std::filesystem::path& package, 
   if (!plane) return forward_error(plane);
   const std::filesystem::path path =
       package / (layer == Layer::kPicture ? "image.tif" : "labels.tif");
-  auto made = std::make_unique<Implementation>();
+  auto made = std::make_unique<TileSource>();
   made->name = path.string();
   const auto place = read_tiff_place(path, *plane);
   if (!place) return forward_error(place);
@@ -57,29 +30,43 @@ Result<OverheadTiles> OverheadTiles::open(const std::filesystem::path& package, 
   const GdalMessages messages;
   auto dataset = open_raster(path, messages);
   if (!dataset) return forward_error(dataset);
-  made->dataset = std::move(*dataset);
-  const int bands = layer == Layer::kPicture ? 3 : 1;
-  if (made->dataset->GetRasterCount() < bands) {
+  made->on_plane = std::move(*dataset);
+  if (layer == Layer::kPicture) {
+    made->channels = {1, 2, 3};
+  } else {
+    made->channels = {1};
+  }
+  const auto bands = static_cast<int>(made->channels.size());
+  if (made->on_plane->GetRasterCount() < bands) {
     return fail(ErrorCode::kMalformed, "{}: has {} bands instead of {}", made->name,
-                made->dataset->GetRasterCount(), bands);
+                made->on_plane->GetRasterCount(), bands);
   }
   if (layer == Layer::kLabels) {
-    const GDALDataType type = made->dataset->GetRasterBand(1)->GetRasterDataType();
-    if (made->dataset->GetRasterCount() != 1 || GDALDataTypeIsInteger(type) == FALSE) {
+    const GDALDataType type = made->on_plane->GetRasterBand(1)->GetRasterDataType();
+    if (made->on_plane->GetRasterCount() != 1 || GDALDataTypeIsInteger(type) == FALSE) {
       return fail(ErrorCode::kUnsupported, "{}: labels need one band of whole numbers", made->name);
     }
-    if (const auto same = check_no_data(*made->dataset, made->name); !same) {
+    if (const auto same = check_no_data(*made->on_plane, made->name); !same) {
       return forward_error(same);
     }
   }
   return OverheadTiles(std::move(made));
 }
 
-int OverheadTiles::width() const { return implementation_->place.width; }
-int OverheadTiles::height() const { return implementation_->place.height; }
-double OverheadTiles::metres_per_cell() const { return implementation_->place.metres_per_cell; }
+int OverheadTiles::width() const { return source_->place.width; }
+int OverheadTiles::height() const { return source_->place.height; }
+double OverheadTiles::metres_per_cell() const { return source_->place.metres_per_cell; }
 Eigen::Vector2d OverheadTiles::top_left_in_enu_m() const {
-  return implementation_->place.top_left_in_enu_m;
+  return source_->place.top_left_in_enu_m + offset_in_enu_m_;
+}
+
+std::optional<Eigen::Vector2d> OverheadTiles::pixels_from_enu(
+    const Eigen::Vector2d& point_in_enu_m) const {
+  const Eigen::Vector2d offset_m = point_in_enu_m - top_left_in_enu_m();
+  const Eigen::Vector2d cell =
+      Eigen::Vector2d(offset_m.x(), -offset_m.y()) / source_->place.metres_per_cell;
+  const std::lock_guard lock(source_->mutex);
+  return source_->pixel_of_cell(cell);
 }
 
 int OverheadTiles::level_count() const {
@@ -109,42 +96,32 @@ Eigen::Vector4i OverheadTiles::cells_of(const TileAddress& tile) const {
           static_cast<int>(std::min<std::int64_t>(side, height() - top))};
 }
 
-namespace {
-
-/// Pixels of a side of so many cells at a level: at least one.
-int pixels_of(int cells, int level) { return std::max(1, (cells + (1 << level) - 1) >> level); }
-
-}  // namespace
-
-Result<ColourRaster> OverheadTiles::picture(const TileAddress& tile) const {
-  static_assert(sizeof(Colour) == 3);
+TileWindow OverheadTiles::window_of(const TileAddress& tile) const {
   const Eigen::Vector4i cells = cells_of(tile);
-  ColourRaster pixels(pixels_of(cells[2], tile.level), pixels_of(cells[3], tile.level));
-  auto* const bytes = reinterpret_cast<std::uint8_t*>(pixels.data());
-  if (auto read = implementation_->read(tile, cells, 3, GRIORA_Average, pixels.width(),
-                                        pixels.height(), GDT_Byte, bytes);
-      !read) {
-    return forward_error(read);
-  }
-  return pixels;
+  // Pixels of a side of so many cells: at least one.
+  const auto pixels = [&tile](int count) {
+    return std::max(1, (count + (1 << tile.level) - 1) >> tile.level);
+  };
+  return {cells, pixels(cells[2]), pixels(cells[3]),
+          fmt::format("column {}, row {} of level {}", tile.column, tile.row, tile.level)};
+}
+
+Result<ImageRaster> OverheadTiles::picture(const TileAddress& tile) const {
+  return source_->read_colours(window_of(tile));
 }
 
 Result<Raster<ClassId>> OverheadTiles::labels(const TileAddress& tile) const {
-  const Eigen::Vector4i cells = cells_of(tile);
   // As whole numbers, for what is no class must not become one when it is cut to eight bits.
-  Raster<std::int32_t> ids(pixels_of(cells[2], tile.level), pixels_of(cells[3], tile.level));
-  if (auto read = implementation_->read(tile, cells, 1, GRIORA_NearestNeighbour, ids.width(),
-                                        ids.height(), GDT_Int32, ids.data());
-      !read) {
-    return forward_error(read);
-  }
+  const auto read = source_->read_numbers(window_of(tile));
+  if (!read) return forward_error(read);
+  const Raster<std::int32_t>& ids = *read;
   Raster<ClassId> pixels(ids.width(), ids.height());
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const std::int32_t id = ids.values()[i];
     if (id != kUnclassified && (id < 0 || id >= kClassCount)) {
       const int index = static_cast<int>(i);
       return fail(ErrorCode::kMalformed, "{}: id {} at column {}, row {} of level {} is no class",
-                  implementation_->name, id, tile.column * kTileSide + index % ids.width(),
+                  source_->name, id, tile.column * kTileSide + index % ids.width(),
                   tile.row * kTileSide + index / ids.width(), tile.level);
     }
     pixels.values()[i] = static_cast<ClassId>(id);

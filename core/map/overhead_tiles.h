@@ -4,10 +4,11 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <memory>
-#include <string>
+#include <optional>
 
 #include "core/base/raster.h"
 #include "core/base/result.h"
+#include "core/map/image_look.h"
 #include "core/map/overhead_map_file.h"
 
 namespace nadir {
@@ -23,9 +24,13 @@ struct TileAddress {
 /// cells: the pixels of a tile share the cells of cells_of(tile) evenly, so their size follows from those.
 inline constexpr int kTileSide = 512;
 
-/// The rasters of a map package piece by piece, for looking at maps of any size: opening reads no pixels, and a tile costs
-/// what its own pixels cost, by way of the file's overviews. Those that write_overhead_map makes have them; of a file without
-/// any, a coarse tile costs all the cells that it covers. Not to be shared between threads.
+struct TileSource;
+struct TileWindow;
+
+/// The rasters of a map package, or an image from anywhere (open_overhead_image), piece by piece, for looking at overheads
+/// of any size: opening reads no pixels, and a tile costs what its own pixels cost, by way of the file's overviews. Those
+/// that write_overhead_map makes have them; of a package's file without any, a coarse tile costs all the cells that it covers.
+/// Tiles may be asked for from several threads, which then take turns; what GDAL keeps of them is bounded (128 MB in all).
 class OverheadTiles {
  public:
   enum class Layer { kPicture, kLabels };
@@ -34,13 +39,22 @@ class OverheadTiles {
   /// show only where labels() comes across them.
   [[nodiscard]] static Result<OverheadTiles> open(const std::filesystem::path& package,
                                                   Layer layer);
+  /// From inside this module.
+  explicit OverheadTiles(std::unique_ptr<const TileSource> source);
   OverheadTiles(OverheadTiles&&) noexcept;
   ~OverheadTiles();
 
   [[nodiscard]] int width() const;   ///< Cells of level 0.
   [[nodiscard]] int height() const;  ///< Cells of level 0.
   [[nodiscard]] double metres_per_cell() const;
-  [[nodiscard]] Eigen::Vector2d top_left_in_enu_m() const;  ///< Corner of the map, project plane.
+  /// Corner of the map, project plane, with the offset.
+  [[nodiscard]] Eigen::Vector2d top_left_in_enu_m() const;
+  /// Moves all of it on the plane, for imagery that is metres off. What the file says of itself stays as it is.
+  void set_offset(const Eigen::Vector2d& offset_in_enu_m) { offset_in_enu_m_ = offset_in_enu_m; }
+  /// Where a place of the plane is in an image's own pixels, (column, row) from its upper-left corner, also outside it.
+  /// Nothing for a package's rasters, whose pixels are cells, and where there is no such place.
+  [[nodiscard]] std::optional<Eigen::Vector2d> pixels_from_enu(
+      const Eigen::Vector2d& point_in_enu_m) const;
   /// The last level fits into one tile.
   [[nodiscard]] int level_count() const;
   /// Tiles of a level.
@@ -49,16 +63,18 @@ class OverheadTiles {
   /// Level-0 cells that a tile covers: left, top, width, height.
   [[nodiscard]] Eigen::Vector4i cells_of(const TileAddress& tile) const;
 
-  /// Averaged for levels above 0. Only of a picture. @errors kMalformed: the file is damaged there.
-  [[nodiscard]] Result<ColourRaster> picture(const TileAddress& tile) const;
+  /// Averaged for levels above 0, clear where nothing was seen. Only of a picture. Of an image whose overviews are still to be
+  /// made a coarse tile is 16 x 16 places of the file. @errors kMalformed: the file is damaged there.
+  [[nodiscard]] Result<ImageRaster> picture(const TileAddress& tile) const;
   /// The nearest cell for levels above 0, so that no class is invented. Only of labels. @errors kMalformed: the file is
   /// damaged there, or holds an id that is no class.
   [[nodiscard]] Result<Raster<ClassId>> labels(const TileAddress& tile) const;
 
  private:
-  struct Implementation;
-  explicit OverheadTiles(std::unique_ptr<Implementation> implementation);
-  std::unique_ptr<Implementation> implementation_;
+  [[nodiscard]] TileWindow window_of(const TileAddress& tile) const;
+
+  std::unique_ptr<const TileSource> source_;
+  Eigen::Vector2d offset_in_enu_m_ = Eigen::Vector2d::Zero();
 };
 
 }  // namespace nadir

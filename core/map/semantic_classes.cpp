@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/map/semantic_classes.h"
 
+#include <algorithm>
 #include <charconv>
 #include <string>
 
@@ -52,6 +53,12 @@ ClassTable parse_class_table(std::string_view csv) {
   return table;
 }
 
+/// What lies lower comes first.
+constexpr std::array<ClassId, kClassCount> kDrawingOrder{
+    kSky,         kTerrain,      kVegetation,  kSidewalk, kRoad, kBuilding,
+    kCurb,        kLaneMarking,  kRailing,     kFence,    kCar,  kPedestrian,
+    kTrafficSign, kTrafficLight, kStreetLight, kPole};
+
 const ClassTable& class_table() {
   static const ClassTable table = parse_class_table(detail::kClassTableCsv);
   return table;
@@ -62,6 +69,11 @@ const ClassTable& class_table() {
 const ClassInfo& class_info(ClassId id) {
   static constexpr ClassInfo kNoClass{"unclassified", {}};
   return id < kClassCount ? class_table()[id] : kNoClass;
+}
+
+int drawing_level(ClassId id) {
+  const auto* const found = std::find(kDrawingOrder.begin(), kDrawingOrder.end(), id);
+  return static_cast<int>(found - kDrawingOrder.begin());
 }
 
 std::string plain_class_name(std::string_view name) {

@@ -60,4 +60,8 @@ struct ClassInfo {
 /// Things that move or may be gone tomorrow: no map holds them.
 [[nodiscard]] constexpr bool is_movable(ClassId id) { return id == kCar || id == kPedestrian; }
 
+/// Where classes lie over each other the one of the higher level is seen. From 0: areas first, then what stands on them, then
+/// lines, then single things, for what is thin would otherwise vanish; kClassCount for any id that is no class.
+[[nodiscard]] int drawing_level(ClassId id);
+
 }  // namespace nadir

@@ -17,19 +17,9 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::vector<std::vector<std::string>> every_command() {
-  return {{},
-          {"demo"},
-          {"simulate"},
-          {"localise"},
-          {"evaluate"},
-          {"map"},
-          {"map", "info"},
-          {"map", "import"},
-          {"flight"},
-          {"flight", "info"},
-          {"figure"},
-          {"report"},
-          {"gui"}};
+  return {{},         {"demo"},           {"simulate"},      {"localise"},      {"evaluate"},
+          {"map"},    {"map", "info"},    {"map", "import"}, {"map", "export"}, {"map", "check"},
+          {"flight"}, {"flight", "info"}, {"figure"},        {"report"},        {"gui"}};
 }
 
 std::string help_of(std::vector<std::string> command) {
@@ -84,8 +74,8 @@ TEST(HelpPage, ShowsInTheUsageLineWhatMustBeGiven) {
   EXPECT_THAT(help_of({"localise"}), HasSubstr("Usage: nadir localise FLIGHT --map MAP [FLAGS]\n"));
   EXPECT_THAT(help_of({"evaluate"}), HasSubstr("Usage: nadir evaluate RUN... [FLAGS]\n"));
   EXPECT_THAT(help_of({"map"}), HasSubstr("Usage: nadir map COMMAND [ARGUMENTS]\n"));
-  EXPECT_THAT(help_of({"map", "import"}),
-              HasSubstr("Usage: nadir map import SOURCE --out FOLDER [FLAGS]\n"));
+  EXPECT_THAT(help_of({"map", "export"}),
+              HasSubstr("Usage: nadir map export LABELS --out PATH [FLAGS]\n"));
 }
 
 TEST(HelpPage, BreaksLinesBetweenWordsBelowTheFirst) {

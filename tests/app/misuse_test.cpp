@@ -52,7 +52,7 @@ TEST(Misuse, OfAnUnknownCommandIsToldWithTheNearestOne) {
 }
 
 TEST(Misuse, ByAMissingCommandNamesThoseThereAre) {
-  expect_misused({"map"}, "nadir map", "a command is missing: info or import");
+  expect_misused({"map"}, "nadir map", "a command is missing: info, import, export or check");
   expect_misused({"flight", "--json", "f"}, "nadir flight",
                  "--json: a flag stands after the command, which is info");
 }

@@ -196,7 +196,9 @@ TEST(ControlPoints, OfAMirroredImageAreRefusedRatherThanTurnedUpsideDown) {
               HasSubstr("rows counted from below?"));
   // A similarity cannot be mirrored: it fits badly, and says by how much.
   const auto fit = fit_control_points(points, ControlModel::kSimilarity);
-  if (fit) EXPECT_GT(fit->rms_m, 20.0);
+  if (fit) {
+    EXPECT_GT(fit->rms_m, 20.0);
+  }
 }
 
 TEST(KnownDistance, GivesTheScale) {

@@ -63,13 +63,6 @@ TEST(LabelObject, RefusesTheSky) {
   EXPECT_FALSE(check_object(area(ClassId{77}, {box(0, 0, 5, 5)})));
 }
 
-TEST(DrawingLevel, PutsMarkingsOnRoadsOnTerrainAndTakesAwayAboveAll) {
-  EXPECT_LT(drawing_level(kTerrain), drawing_level(kRoad));
-  EXPECT_LT(drawing_level(kRoad), drawing_level(kCurb));
-  EXPECT_LT(drawing_level(kCurb), drawing_level(kLaneMarking));
-  EXPECT_EQ(drawing_level(kUnclassified), kClassCount);
-}
-
 TEST(DrawingLevel, OfAnOrderRoundsDownBelowZeroToo) {
   EXPECT_EQ(level_of_order(0), 0);
   EXPECT_EQ(level_of_order(kOrdersPerLevel - 1), 0);

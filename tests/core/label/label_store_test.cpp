@@ -3,16 +3,11 @@
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <csignal>
 
 #include "core/label/label_raster.h"
-#include "tests/core/label/drawn_labels.h"
-#include "tests/core/label/other_program.h"
-#include "tests/support/error_text.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/core/label/label_file.h"
 
 namespace nadir {
 namespace label_store_test {
@@ -21,79 +16,53 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-LabelStore made(const fs::path& path) {
-  auto store = LabelStore::create(path, test_plane(), test_grid(40, 30, 0.25), "ada");
-  if (!store) throw std::runtime_error(error_text(store));
-  return std::move(*store);
-}
+/// Cells of a quarter of a metre.
+class LabelStoreTest : public LabelFile {
+ protected:
+  [[nodiscard]] LabelStore made() const { return LabelFile::made(test_grid(40, 30, 0.25)); }
+};
 
-LabelStore opened(const fs::path& path, LabelAccess access = LabelAccess::kWriteWhereFree) {
-  auto store = LabelStore::open(path, "bob", access);
-  if (!store) throw std::runtime_error(error_text(store));
-  return std::move(*store);
-}
-
-/// Commits what somebody might do, and says what the document was before each step.
-std::vector<LabelDocument> work(LabelStore& store,
-                                std::uint64_t seed,
-                                std::uint32_t first,
-                                std::uint32_t steps) {
-  std::vector<LabelDocument> before;
-  for (std::uint32_t step = first; step < first + steps; ++step) {
-    before.push_back(store.document());
-    const auto done = store.commit(random_edit(store.document(), seed, step));
-    EXPECT_TRUE(done) << error_text(done);
-  }
-  return before;
-}
-
-TEST(LabelStore, KeepsPlaneAndGridToTheLastBit) {
-  const ScratchFolder scratch;
-  const fs::path path = scratch.path() / "labels.gpkg";
+TEST_F(LabelStoreTest, KeepsPlaneAndGridToTheLastBit) {
   const auto plane = *ProjectPlane::create({48.98772123456789, -8.1 / 3.0});
   const LabelGrid grid{0.1 + 0.2, {-1.0 / 3.0, 1e5 / 7.0}, 123, 456};
-  ASSERT_TRUE(LabelStore::create(path, plane, grid, "ada"));
-  const LabelStore store = opened(path);
+  ASSERT_TRUE(LabelStore::create(path_, plane, grid, "ada"));
+  const LabelStore store = opened();
   EXPECT_TRUE(store.document().plane() == plane);
   EXPECT_EQ(store.document().grid(), grid);
   EXPECT_FALSE(store.undo_step());
   EXPECT_THAT(store.why_read_only(), IsEmpty());
 }
 
-TEST(LabelStore, HoldsWhatWasCommittedWhenItIsOpenedAgain) {
-  const ScratchFolder scratch;
-  const fs::path path = scratch.path() / "labels.gpkg";
+TEST_F(LabelStoreTest, HoldsWhatWasCommittedWhenItIsOpenedAgain) {
   std::optional<LabelDocument> last;
   {
-    LabelStore store = made(path);
+    LabelStore store = made();
     work(store, 31, 0, 150);
     last = store.document();
   }
-  const LabelStore store = opened(path);
+  const LabelStore store = opened();
   EXPECT_TRUE(store.document() == *last);
   EXPECT_EQ(store.document().next_id(), last->next_id());
   EXPECT_EQ(rasterise(store.document()), rasterise(*last));
   EXPECT_THAT(store.notices(), IsEmpty());
 }
 
-TEST(LabelStore, UndoSurvivesClosingAndOpeningInOneOrder) {
-  const ScratchFolder scratch;
-  const fs::path path = scratch.path() / "labels.gpkg";
+TEST_F(LabelStoreTest, UndoSurvivesClosingAndOpeningInOneOrder) {
   std::vector<LabelDocument> before;
   std::optional<LabelDocument> last;
   {
-    LabelStore store = made(path);
+    LabelStore store = made();
     before = work(store, 32, 0, 60);
     last = store.document();
   }
   for (int step = 59; step >= 0; --step) {  // Opened again for every single one.
-    LabelStore store = opened(path);
+    LabelStore store = opened();
     ASSERT_EQ(store.undo_step()->title, fmt::format("Step {}", step));
     EXPECT_EQ(store.undo_step()->author, "ada");
     ASSERT_TRUE(store.undo());
     ASSERT_TRUE(store.document() == before[static_cast<std::size_t>(step)]) << step;
   }
-  LabelStore store = opened(path);
+  LabelStore store = opened();
   EXPECT_FALSE(store.undo_step());
   EXPECT_EQ(error_text(store.undo()), "there is nothing to undo");
   while (store.redo_step()) ASSERT_TRUE(store.redo());
@@ -101,9 +70,8 @@ TEST(LabelStore, UndoSurvivesClosingAndOpeningInOneOrder) {
   EXPECT_EQ(error_text(store.redo()), "there is nothing to do again");
 }
 
-TEST(LabelStore, SaysWhatUndoHasChanged) {
-  const ScratchFolder scratch;
-  LabelStore store = made(scratch.path() / "labels.gpkg");
+TEST_F(LabelStoreTest, SaysWhatUndoHasChanged) {
+  LabelStore store = made();
   ASSERT_TRUE(store.commit(adding({area(kRoad, {box(0, 0, 2, 2)})}, "Draw road")));
   const auto edit = store.undo();
   ASSERT_TRUE(edit);
@@ -114,9 +82,8 @@ TEST(LabelStore, SaysWhatUndoHasChanged) {
   EXPECT_EQ(store.redo_step()->title, "Draw road");
 }
 
-TEST(LabelStore, AnEditAfterUndoHidesButKeepsWhatWasUndone) {
-  const ScratchFolder scratch;
-  LabelStore store = made(scratch.path() / "labels.gpkg");
+TEST_F(LabelStoreTest, AnEditAfterUndoHidesButKeepsWhatWasUndone) {
+  LabelStore store = made();
   ASSERT_TRUE(store.commit(adding({area(kRoad, {box(0, 0, 2, 2)}, 1)}, "First")));
   ASSERT_TRUE(store.commit(adding({area(kRoad, {box(4, 0, 6, 2)}, 2)}, "Second")));
   ASSERT_TRUE(store.undo());
@@ -133,9 +100,8 @@ TEST(LabelStore, AnEditAfterUndoHidesButKeepsWhatWasUndone) {
   EXPECT_EQ((*history)[2].time.size(), std::string("2026-05-01T12:00:00Z").size());
 }
 
-TEST(LabelStore, GoesToAnyStepOfAnyBranch) {
-  const ScratchFolder scratch;
-  LabelStore store = made(scratch.path() / "labels.gpkg");
+TEST_F(LabelStoreTest, GoesToAnyStepOfAnyBranch) {
+  LabelStore store = made();
   std::vector<LabelDocument> at{store.document()};  // By the number of the step.
   const auto commit = [&] {
     work(store, 39, static_cast<std::uint32_t>(at.size()), 1);
@@ -156,30 +122,26 @@ TEST(LabelStore, GoesToAnyStepOfAnyBranch) {
   EXPECT_TRUE(store.document() == at[7]);
 }
 
-TEST(LabelStore, ClosedItIsOneFileAndOpeningItChangesNothing) {
-  const ScratchFolder scratch;
-  const fs::path path = scratch.path() / "labels.gpkg";
+TEST_F(LabelStoreTest, ClosedItIsOneFileAndOpeningItChangesNothing) {
   {
-    LabelStore store = made(path);
+    LabelStore store = made();
     work(store, 33, 0, 5);
-    EXPECT_GT(scratch.entries(), 1);
+    EXPECT_GT(scratch_.entries(), 1);
     EXPECT_TRUE(store.close());
   }
-  EXPECT_EQ(scratch.entries(), 1);
+  EXPECT_EQ(scratch_.entries(), 1);
   const auto bytes = [&] {
-    std::ifstream file(path, std::ios::binary);
+    std::ifstream file(path_, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(file), {});
   };
   const std::string before = bytes();
   EXPECT_EQ(before[18], 1);  // No WAL.
-  { const LabelStore store = opened(path); }
+  { const LabelStore store = opened(); }
   EXPECT_EQ(bytes(), before);
 }
 
-TEST(LabelStore, AStrokeTakesTwoKilobytesOfHistoryAtMost) {
-  const ScratchFolder scratch;
-  const fs::path path = scratch.path() / "labels.gpkg";
-  LabelStore store = made(path);
+TEST_F(LabelStoreTest, AStrokeTakesTwoKilobytesOfHistoryAtMost) {
+  LabelStore store = made();
   for (int stroke = 0; stroke < 40; ++stroke) {
     // A brush of 12 cells through two tiles or three.
     const std::int64_t left = stroke * 17 % 300;
@@ -187,16 +149,14 @@ TEST(LabelStore, AStrokeTakesTwoKilobytesOfHistoryAtMost) {
                               stroke % 2 == 0 ? kRoad : kTerrain);
     ASSERT_TRUE(store.commit(edit));
   }
-  const OtherProgram other(path);
+  const OtherProgram other(path_);
   EXPECT_LT(std::stoi(other.value("SELECT sum(length(delta)) / 40 FROM nadir_tile_change")), 2000);
 }
 
-TEST(LabelStore, CarriesLargeChangesOverWhileItIsOpen) {
-  const ScratchFolder scratch;
-  const fs::path path = scratch.path() / "labels.gpkg";
-  LabelStore store = made(path);
-  const OtherProgram other(path);
-  const auto pages_in_file = [&] { return fs::file_size(path) / 4096; };
+TEST_F(LabelStoreTest, CarriesLargeChangesOverWhileItIsOpen) {
+  LabelStore store = made();
+  const OtherProgram other(path_);
+  const auto pages_in_file = [&] { return fs::file_size(path_) / 4096; };
   const auto small = pages_in_file();
   std::uint32_t step = 0;
   // Notes that do not get shorter by packing, so that few edits make much.
@@ -218,9 +178,8 @@ TEST(LabelStore, CarriesLargeChangesOverWhileItIsOpen) {
   EXPECT_EQ(store.document().objects().size(), 11U);
 }
 
-TEST(LabelStore, RefusesWhatDoesNotFitAndChangesNothing) {
-  const ScratchFolder scratch;
-  LabelStore store = made(scratch.path() / "labels.gpkg");
+TEST_F(LabelStoreTest, RefusesWhatDoesNotFitAndChangesNothing) {
+  LabelStore store = made();
   ASSERT_TRUE(store.commit(adding({area(kRoad, {box(0, 0, 2, 2)})})));
   const LabelDocument before = store.document();
   EXPECT_FALSE(store.commit(adding({area(kRoad, {box(0, 0, 2, 2)})})));
@@ -231,113 +190,44 @@ TEST(LabelStore, RefusesWhatDoesNotFitAndChangesNothing) {
   EXPECT_EQ(store.history(1, 10)->size(), 1U);
 }
 
-TEST(LabelStore, IsNotMadeOverAnother) {
-  const ScratchFolder scratch;
-  const fs::path path = scratch.file("labels.gpkg", "precious");
-  EXPECT_THAT(error_text(LabelStore::create(path, test_plane(), test_grid(4, 4), "ada")),
+TEST_F(LabelStoreTest, IsNotMadeOverAnother) {
+  scratch_.file("labels.gpkg", "precious");
+  EXPECT_THAT(error_text(LabelStore::create(path_, test_plane(), test_grid(4, 4), "ada")),
               HasSubstr("is there already"));
-  EXPECT_THAT(error_text(LabelStore::create(scratch.path() / "no" / "labels.gpkg", test_plane(),
+  EXPECT_THAT(error_text(LabelStore::create(scratch_.path() / "no" / "labels.gpkg", test_plane(),
                                             test_grid(4, 4), "ada")),
               HasSubstr("no"));
-  EXPECT_FALSE(LabelStore::create(scratch.path() / "b.gpkg", test_plane(), test_grid(0, 4), "ada"));
+  EXPECT_FALSE(
+      LabelStore::create(scratch_.path() / "b.gpkg", test_plane(), test_grid(0, 4), "ada"));
 }
 
-TEST(LabelStore, SaysWhatAFileIsThatIsNone) {
-  const ScratchFolder scratch;
-  EXPECT_EQ(error_code(LabelStore::open(scratch.path() / "none.gpkg", "ada")),
+TEST_F(LabelStoreTest, SaysWhatAFileIsThatIsNone) {
+  EXPECT_EQ(error_code(LabelStore::open(scratch_.path() / "none.gpkg", "ada")),
             ErrorCode::kNotFound);
-  const fs::path text = scratch.file("text.gpkg", std::string(4096, 'x'));
+  const fs::path text = scratch_.file("text.gpkg", std::string(4096, 'x'));
   EXPECT_EQ(error_text(LabelStore::open(text, "ada")),
             text.string() + ": is no labelling document");
-  const fs::path empty = scratch.file("empty.gpkg", "");
+  const fs::path empty = scratch_.file("empty.gpkg", "");
   EXPECT_EQ(error_text(LabelStore::open(empty, "ada")),
             empty.string() + ": is no labelling document");
-  const fs::path other = scratch.path() / "other.gpkg";
+  const fs::path other = scratch_.path() / "other.gpkg";
   OtherProgram(other).run("CREATE TABLE gpkg_contents (a)");
   EXPECT_EQ(error_text(LabelStore::open(other, "ada")),
             other.string() + ": is no labelling document");
 }
 
-TEST(LabelStore, OfANewerVersionIsLeftAlone) {
-  const ScratchFolder scratch;
-  const fs::path path = scratch.path() / "labels.gpkg";
-  { made(path); }
-  OtherProgram(path).run("UPDATE nadir_about SET value = '2' WHERE key = 'format'");
-  const auto store = LabelStore::open(path, "ada");
+TEST_F(LabelStoreTest, OfANewerVersionIsLeftAlone) {
+  static_cast<void>(made());
+  run_elsewhere("UPDATE nadir_about SET value = '2' WHERE key = 'format'");
+  const auto store = LabelStore::open(path_, "ada");
   EXPECT_EQ(error_code(store), ErrorCode::kUnsupported);
   EXPECT_THAT(error_text(store), HasSubstr("is of label format 2, this program knows 1"));
 }
 
-TEST(LabelStore, ASecondProgramReadsAndSaysWhoHasIt) {
-  const ScratchFolder scratch;
-  const fs::path path = scratch.path() / "labels.gpkg";
-  LabelStore first = made(path);
-  work(first, 34, 0, 10);
-  {
-    LabelStore second = opened(path);
-    EXPECT_THAT(second.why_read_only(), HasSubstr("is open for ada on "));
-    EXPECT_THAT(second.why_read_only(), HasSubstr(fmt::format("(process {})", ::getpid())));
-    EXPECT_TRUE(second.document() == first.document());
-    EXPECT_EQ(error_text(second.commit(random_edit(second.document(), 34, 99))),
-              second.why_read_only());
-    EXPECT_FALSE(second.undo());
-  }
-  work(first, 34, 10, 5);  // The second one's leaving has taken nothing away.
-  const LabelStore third = opened(path);
-  EXPECT_THAT(third.why_read_only(), HasSubstr("ada"));
-}
-
-TEST(LabelStore, IsFreeAgainWhenItsHolderHasClosedIt) {
-  const ScratchFolder scratch;
-  const fs::path path = scratch.path() / "labels.gpkg";
-  { made(path); }
-  EXPECT_FALSE(fs::exists(scratch.path() / "labels.gpkg.lock"));
-  EXPECT_THAT(opened(path).why_read_only(), IsEmpty());
-}
-
-TEST(LabelStore, TheLockOfAKilledProgramIsGone) {
-  const ScratchFolder scratch;
-  const fs::path path = scratch.path() / "labels.gpkg";
-  { made(path); }
-  const pid_t child = ::fork();
-  if (child == 0) {
-    auto store = LabelStore::open(path, "eve");
-    ::kill(::getpid(), SIGKILL);
-  }
-  ::waitpid(child, nullptr, 0);
-  EXPECT_TRUE(fs::exists(scratch.path() / "labels.gpkg.lock"));
-  EXPECT_THAT(opened(path).why_read_only(), IsEmpty());
-}
-
-TEST(LabelStore, OpensForReadingWhereItCannotBeWritten) {
-  const ScratchFolder scratch;
-  const fs::path path = scratch.path() / "labels.gpkg";
-  std::optional<LabelDocument> last;
-  {
-    LabelStore store = made(path);
-    work(store, 35, 0, 10);
-    last = store.document();
-  }
-  {
-    const LabelStore asked = opened(path, LabelAccess::kRead);
-    EXPECT_THAT(asked.why_read_only(), HasSubstr("was opened for reading"));
-    EXPECT_FALSE(fs::exists(scratch.path() / "labels.gpkg.lock"));
-  }
-  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
-  fs::permissions(path, fs::perms::owner_read);
-  fs::permissions(scratch.path(), fs::perms::owner_read | fs::perms::owner_exec);
-  const LabelStore store = opened(path);
-  EXPECT_THAT(store.why_read_only(), HasSubstr("cannot be written, so it was opened for reading"));
-  EXPECT_TRUE(store.document() == *last);
-  fs::permissions(scratch.path(), fs::perms::owner_all);
-}
-
-TEST(LabelStore, AFullDiskChangesNothing) {
-  const ScratchFolder scratch;
-  const fs::path path = scratch.path() / "labels.gpkg";
+TEST_F(LabelStoreTest, AFullDiskChangesNothing) {
   std::optional<LabelDocument> before;
   {
-    LabelStore store = made(path);
+    LabelStore store = made();
     work(store, 36, 0, 10);
     before = store.document();
     // No file may grow: what a full disk says, but by another signal.
@@ -345,7 +235,7 @@ TEST(LabelStore, AFullDiskChangesNothing) {
     rlimit usual{};
     ::getrlimit(RLIMIT_FSIZE, &usual);
     rlimit full = usual;
-    full.rlim_cur = fs::file_size(scratch.path() / "labels.gpkg-wal");
+    full.rlim_cur = fs::file_size(scratch_.path() / "labels.gpkg-wal");
     ::setrlimit(RLIMIT_FSIZE, &full);
     const auto refused =
         store.commit(adding({area(kRoad, {box(0, 0, 2, 2)}, store.document().next_id())}));
@@ -359,7 +249,7 @@ TEST(LabelStore, AFullDiskChangesNothing) {
     EXPECT_TRUE(done) << error_text(done);
     ASSERT_TRUE(store.undo());
   }
-  EXPECT_TRUE(opened(path).document() == *before);
+  EXPECT_TRUE(opened().document() == *before);
 }
 
 }  // namespace label_store_test

@@ -24,10 +24,10 @@ fs::path made(const ScratchFolder& scratch) {
 
 TEST(VisitRows, GivesAllRowsOfASoundTableInOrder) {
   const ScratchFolder scratch;
-  const auto database = LabelDatabase::open(made(scratch), "rows", LabelDatabase::Access::kRead);
+  const auto database = open_label_database(made(scratch), "rows", SqliteAccess::kRead);
   ASSERT_TRUE(database) << error_text(database);
   std::vector<std::int64_t> seen;
-  const auto is_whole = visit_rows(*database, "thing", "data", [&](const LabelStatement& row) {
+  const auto is_whole = visit_rows(*database, "thing", "data", [&](const SqliteStatement& row) {
     seen.push_back(row.whole(0));
     EXPECT_EQ(row.blob(1).size(), 700U);
   });
@@ -45,11 +45,11 @@ TEST(VisitRows, GivesEachRowAroundTheDamageOnce) {
     file.seekp(static_cast<std::streamoff>(fs::file_size(path) / 4096 / 2 * 4096));
     file << std::string(4096, '\xA5');
   }
-  const auto database = LabelDatabase::open(path, "rows", LabelDatabase::Access::kRead);
+  const auto database = open_label_database(path, "rows", SqliteAccess::kRead);
   ASSERT_TRUE(database) << error_text(database);
   std::map<std::int64_t, int> seen;
   const auto is_whole = visit_rows(*database, "thing", "data",
-                                   [&](const LabelStatement& row) { ++seen[row.whole(0)]; });
+                                   [&](const SqliteStatement& row) { ++seen[row.whole(0)]; });
   ASSERT_TRUE(is_whole) << error_text(is_whole);
   EXPECT_FALSE(*is_whole);
   EXPECT_GT(seen.size(), 480U);
@@ -59,9 +59,9 @@ TEST(VisitRows, GivesEachRowAroundTheDamageOnce) {
 
 TEST(VisitRows, SaysWhatIsNotThere) {
   const ScratchFolder scratch;
-  const auto database = LabelDatabase::open(made(scratch), "rows", LabelDatabase::Access::kRead);
+  const auto database = open_label_database(made(scratch), "rows", SqliteAccess::kRead);
   ASSERT_TRUE(database);
-  const auto is_whole = visit_rows(*database, "nowhere", "data", [](const LabelStatement&) {});
+  const auto is_whole = visit_rows(*database, "nowhere", "data", [](const SqliteStatement&) {});
   EXPECT_THAT(error_text(is_whole), testing::HasSubstr("no such table: nowhere"));
 }
 

@@ -159,9 +159,16 @@ TEST_P(TilesOfEverySize, TogetherAreTheLabelsOfTheMap) {
 
 TEST_P(TilesOfEverySize, TogetherAreThePictureOfTheMap) {
   const OverheadTiles tiles = package.open(Layer::kPicture);
-  const auto whole = assembled(
-      tiles, Colour{1, 2, 3}, [&](const TileAddress& tile) { return tiles.picture(tile).value(); });
-  EXPECT_EQ(whole, read_overhead_image(package.path())->value());
+  const auto whole = assembled(tiles, ImagePixel{1, 2, 3, 4}, [&](const TileAddress& tile) {
+    return tiles.picture(tile).value();
+  });
+  const ColourRaster picture = read_overhead_image(package.path())->value();
+  ImageRaster opaque(picture.width(), picture.height());
+  std::transform(picture.values().begin(), picture.values().end(), opaque.values().begin(),
+                 [](const Colour& colour) {
+                   return ImagePixel{colour.red, colour.green, colour.blue, 255};
+                 });
+  EXPECT_EQ(whole, opaque);
 }
 
 TEST_P(TilesOfEverySize, HaveHalfAsManyPixelsASideOnEachLevel) {
@@ -238,7 +245,7 @@ TEST_P(TilesOfEverySize, AreAveragedWhereThePictureIsReduced) {
             }
           }
           const Eigen::Vector3d mean = sum / count;
-          const Colour& pixel = pixels.at(column, row);
+          const ImagePixel& pixel = pixels.at(column, row);
           ASSERT_NEAR(pixel.red, mean[0], 10.0) << level << " " << column << " " << row;
           ASSERT_NEAR(pixel.green, mean[1], 10.0) << level << " " << column << " " << row;
           ASSERT_NEAR(pixel.blue, mean[2], 10.0) << level << " " << column << " " << row;
@@ -260,7 +267,7 @@ TEST(OverheadTiles, AverageStripesToGrey) {
   ASSERT_TRUE(write_overhead_map(map, {}, stripes, folder.path() / "map"));
   const auto tiles = OverheadTiles::open(folder.path() / "map", Layer::kPicture).value();
   const auto reduced = tiles.picture({1, 0, 0}).value();
-  for (const Colour& colour : reduced.values()) ASSERT_NEAR(colour.green, 127, 12);
+  for (const ImagePixel& colour : reduced.values()) ASSERT_NEAR(colour.green, 127, 12);
 }
 
 TEST(OverheadTiles, CanBeMovedAndReadInAnyOrder) {

@@ -17,7 +17,7 @@
 namespace nadir {
 
 /// A point of a raster whose place is known.
-struct ControlPoint {
+struct PlacedPixel {
   Eigen::Vector2d pixel;
   Eigen::Vector2d point_in_crs;
 };
@@ -35,7 +35,7 @@ struct RasterFile {
   /// Of a value in the file: 1, 2 and 4 for a PNG, 8, or 16 for values times 257.
   int bits = 8;
   std::vector<Colour> palette{};  ///< Colours of the values 0, 1, 2, ...
-  std::vector<ControlPoint> control_points{};
+  std::vector<PlacedPixel> control_points{};
 };
 
 void write_raster(const RasterFile& file, const std::filesystem::path& path);

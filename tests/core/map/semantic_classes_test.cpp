@@ -64,5 +64,21 @@ TEST(SemanticClasses, SkyLiesInNoOverheadAndNeitherDoesWhatIsNoClass) {
   EXPECT_FALSE(is_movable(kPole));
 }
 
+TEST(DrawingLevel, PutsMarkingsOnRoadsOnTerrainAndNoClassAboveAll) {
+  EXPECT_LT(drawing_level(kTerrain), drawing_level(kRoad));
+  EXPECT_LT(drawing_level(kRoad), drawing_level(kCurb));
+  EXPECT_LT(drawing_level(kCurb), drawing_level(kLaneMarking));
+  EXPECT_LT(drawing_level(kLaneMarking), drawing_level(kPole));
+  EXPECT_EQ(drawing_level(kUnclassified), kClassCount);
+}
+
+TEST(DrawingLevel, IsAnotherForEveryClass) {
+  std::set<int> levels;
+  for (int id = 0; id < kClassCount; ++id) levels.insert(drawing_level(static_cast<ClassId>(id)));
+  EXPECT_EQ(levels.size(), 16U);
+  EXPECT_EQ(*levels.begin(), 0);
+  EXPECT_EQ(*levels.rbegin(), 15);
+}
+
 }  // namespace semantic_classes_test
 }  // namespace nadir
