@@ -29,6 +29,17 @@ fs::path labels_file(const std::string& given) {
   return fs::is_directory(path, error) ? path / kLabelsName : path;
 }
 
+/// @errors as LabelStore::open(); kMalformed: it is damaged, and what is left of it is not what was drawn.
+Result<LabelStore> open_whole(const fs::path& path) {
+  auto store = LabelStore::open(path, author_name(), LabelAccess::kRead);
+  if (store && store->is_damaged()) {
+    return fail(ErrorCode::kMalformed,
+                "{}: is damaged, and what could be read of it is not all that was drawn",
+                path.string());
+  }
+  return store;
+}
+
 std::vector<std::string> format_names() {
   const auto& names = EnumNames<LabelFormat>::kNames;
   return {names.begin(), names.end()};
@@ -170,8 +181,14 @@ int run_map_export(const MapExportArguments& given, std::ostream& out, std::ostr
     return report_flags_error(err, kExportName, sound.error());
   }
   const fs::path path = labels_file(given.labels);
-  const auto store = LabelStore::open(path, author_name(), LabelAccess::kRead);
+  const auto store = open_whole(path);
   if (!store) return report_error(err, store.error());
+  if (std::error_code error; fs::equivalent(path, given.out, error)) {
+    return report_error(err, {ErrorCode::kInvalidOptions,
+                              fmt::format("{}: is the labelling document itself; --out must name "
+                                          "another file",
+                                          given.out)});
+  }
   const auto provenance = provenance_of(given, path);
   if (!provenance) return report_error(err, provenance.error());
   if (!given.is_quiet) {
@@ -211,7 +228,7 @@ CLI::App& add_map_check(CLI::App& map, MapCheckArguments& given) {
 int run_map_check(const MapCheckArguments& given, std::ostream& out, std::ostream& err) {
   const fs::path package = find_bundled(given.package);
   const fs::path labels = labels_file(given.labels.empty() ? package.string() : given.labels);
-  const auto store = LabelStore::open(labels, author_name(), LabelAccess::kRead);
+  const auto store = open_whole(labels);
   if (!store) return report_error(err, store.error());
   const Work work(err, given.is_quiet);
   const auto check = check_export(store->document(), package, work.context());

@@ -202,6 +202,11 @@ Result<void> export_indexed_png(const ExportTask& task, const fs::path& target) 
     return forward_error(placed);
   }
   fs::rename(staged_notes, target.string() + ".aux.xml", error);
+  if (error) {
+    const std::string why = error.message();
+    fs::remove(staged_notes, error);
+    return fail(ErrorCode::kIo, "{}.aux.xml: cannot be written ({})", target.string(), why);
+  }
   return staged->commit();
 }
 

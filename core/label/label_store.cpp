@@ -125,6 +125,7 @@ Result<LabelStore> LabelStore::open(const fs::path& path,
 
 const LabelDocument& LabelStore::document() const { return implementation_->document; }
 const std::string& LabelStore::why_read_only() const { return implementation_->why_read_only; }
+bool LabelStore::is_damaged() const { return implementation_->is_damaged; }
 const std::vector<std::string>& LabelStore::notices() const { return implementation_->notices; }
 const std::optional<LabelStep>& LabelStore::undo_step() const { return implementation_->undo_step; }
 const std::optional<LabelStep>& LabelStore::redo_step() const { return implementation_->redo_step; }

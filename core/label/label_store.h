@@ -54,6 +54,8 @@ class LabelStore {
   [[nodiscard]] const LabelDocument& document() const;
   /// Why it can only be read, and who has it; empty where it can be written.
   [[nodiscard]] const std::string& why_read_only() const;
+  /// Whether the file is damaged, so that the document is only what could be read of it.
+  [[nodiscard]] bool is_damaged() const;
   /// What the user should know about what was read, each one sentence without full stop.
   [[nodiscard]] const std::vector<std::string>& notices() const;
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/label/polygon_algebra.h"
 #include "core/map/gdal_raster.h"
 
 namespace nadir {
@@ -46,7 +47,7 @@ std::optional<std::vector<Ring>> rings_on_plane(const SourceFeature& feature,
     for (const Eigen::Vector2d& place : ring) {
       const auto point = to_enu(place);
       if (!point) return std::nullopt;
-      rings.back().push_back(*point);
+      rings.back().push_back(on_lattice(*point));  // so that what snaps to it shares it
     }
   }
   return rings;

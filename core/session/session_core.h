@@ -72,6 +72,8 @@ struct Session::Implementation : SessionState {
   Result<void> perform(const actions::Quit& action);
   Result<void> perform(const actions::ActivateRun& action);
   Result<void> perform(const actions::ShowRun& action);
+  /// Somebody goes to a run before the one that is coming is shown; that one is watched all the same if it is the one.
+  void go_to_run_instead(const std::string& path);
   void open_run(const std::string& path);
   Result<void> open_map(const std::filesystem::path& package);
   void remember(const std::string& path);

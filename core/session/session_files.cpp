@@ -39,8 +39,13 @@ void Session::Implementation::remember(const std::string& path) {
   if (recents.size() > kMostRecents) recents.pop_back();
 }
 
-void Session::Implementation::open_run(const std::string& path) {
+void Session::Implementation::go_to_run_instead(const std::string& path) {
+  if (coming && coming->is_followed && coming->path == path) followed_run = path;
   coming.reset();
+}
+
+void Session::Implementation::open_run(const std::string& path) {
+  go_to_run_instead(path);
   ViewState& view = kept.view;
   const auto found = std::find_if(view.runs.begin(), view.runs.end(),
                                   [&](const RunLook& look) { return look.path == path; });
@@ -181,7 +186,7 @@ Result<void> Session::Implementation::perform(const actions::Quit& /*action*/) {
 Result<void> Session::Implementation::perform(const actions::ActivateRun& action) {
   const auto index = run_of(action.run);
   if (!index) return forward_error(index);
-  coming.reset();
+  go_to_run_instead(kept.view.runs.at(*index).path);
   if (kept.view.active_run != action.run) kept.view.selected_particle.reset();
   kept.view.active_run = action.run;
   kept.view.runs.at(*index).is_shown = true;

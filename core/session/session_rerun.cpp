@@ -221,7 +221,7 @@ void Session::Implementation::show_coming_run() {
                              found->cache->is_cursor_ready();
   if (!has_something) return;
   const std::string path = coming->path;
-  if (coming->is_followed) followed_run = path;
+  if (coming->is_followed && found->is_live) followed_run = path;
   coming.reset();
   amend([&path](KeptState& state) {
     const auto run = std::find_if(state.view.runs.begin(), state.view.runs.end(),

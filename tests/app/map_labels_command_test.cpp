@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "app/cli/command.h"
+#include "core/base/staged_output.h"
 #include "core/label/label_store.h"
 #include "core/map/overhead_map_file.h"
 #include "tests/support/drawn_map.h"
@@ -91,6 +92,29 @@ TEST_F(MapLabelsCommand, ImportMakesADocumentOfALabelRaster) {
     const auto store = LabelStore::open(at(as) + "/labels.gpkg", "ada", LabelAccess::kRead);
     EXPECT_EQ(store->document().objects().size(), as == "areas" ? 3U : 0U);
   }
+}
+
+TEST_F(MapLabelsCommand, ExportNeverReplacesWhatItReads) {
+  const std::string package = town();
+  EXPECT_NE(run({"export", package, "--format", "geojson", "--out", package + "/labels.gpkg"}),
+            kDone);
+  EXPECT_THAT(err(), HasSubstr("labels.gpkg: is the labelling document itself"));
+  EXPECT_EQ(LabelStore::open(package + "/labels.gpkg", "ada")->document().objects().size(), 2U);
+}
+
+TEST_F(MapLabelsCommand, NothingIsMadeOfWhatIsLeftOfADamagedDocument) {
+  const std::string package = town();
+  const auto bytes = read_text_file(package + "/labels.tif").value();
+  const auto size = static_cast<std::streamoff>(fs::file_size(package + "/labels.gpkg"));
+  {
+    std::fstream file(package + "/labels.gpkg", std::ios::binary | std::ios::in | std::ios::out);
+    file.seekp(size / 2);
+    for (std::streamoff i = 0; i < size / 2; ++i) file.put('\x55');
+  }
+  EXPECT_NE(run({"export", package, "--out", package}), kDone);
+  EXPECT_THAT(err(), HasSubstr("labels.gpkg: "));
+  EXPECT_EQ(read_text_file(package + "/labels.tif").value(), bytes);
+  EXPECT_NE(run({"check", package}), kDone);
 }
 
 TEST_F(MapLabelsCommand, ImportReplacesNoDocument) {

@@ -86,7 +86,8 @@ Actions draw_vehicle_plate(kit::Ui& ui, const VehicleAway& away, const kit::Rect
   ui.next_width(width);
   const kit::Hint hint =
       hint_for("The vehicle is out of sight: follow it", actions::Follow{Switch::kToggle});
-  if (!ui.button(words, kit::ButtonLook::kQuiet, hint)) return {};
+  // One button, whatever the distance has become between press and release.
+  if (!ui.button(words + "###Follow", kit::ButtonLook::kQuiet, hint)) return {};
   return {actions::Follow{Switch::kOn}};
 }
 

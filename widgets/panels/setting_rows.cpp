@@ -98,7 +98,9 @@ std::vector<SettingRow> setting_rows(const RunOptions& draft,
     if (begins != kSettingGroups.end()) group = begins->title;
     row.group = group;
     row.no_effect = why_no_effect(row.name, values);
-    row.is_of_start = row.no_effect.empty() && !why_no_effect(row.name, of_cursor).empty();
+    // Only where it is known that the start reads it.
+    row.is_of_start =
+        !prior.empty() && row.no_effect.empty() && !why_no_effect(row.name, of_cursor).empty();
     describe_value(row, value, field);
     rows.push_back(std::move(row));
   });

@@ -48,7 +48,7 @@ WhyModel why_model(const Session& session, MomentInquiry& inquiry) {
   model.answer = inquiry.answer();
   model.is_computing = inquiry.is_working() || !step;
   model.is_answer_of_now = model.answer && step && model.answer->step == step;
-  if (model.answer && model.answer->step) {
+  if (model.is_answer_of_now) {
     model.mark = mark_of(*run, model.answer->step->step);
   }
   return model;

@@ -7,6 +7,7 @@
 
 #include "core/label/label_raster.h"
 #include "core/label/label_store.h"
+#include "core/label/polygon_algebra.h"
 #include "tests/core/label/drawn_labels.h"
 #include "tests/core/label/import_sources.h"
 #include "tests/support/drawn_map.h"
@@ -50,6 +51,11 @@ TEST(LabelImport, TakesTheClassThatGeoJsonNames) {
   EXPECT_EQ(found.object(1).width_m, 4.0);
   EXPECT_EQ(found.object(3).kind, ObjectKind::kOutline);
   EXPECT_EQ(found.object(4).class_id, kPole);
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (const Eigen::Vector2d& place : found.object(i).rings[0]) {
+      EXPECT_EQ(place, on_lattice(place)) << "what snaps to it shares it";
+    }
+  }
   EXPECT_THAT(found.notices(), HasSubstr("1 thing fits no rule"));
   EXPECT_THAT(found.notices(), HasSubstr("1 feature has no geometry"));
 }

@@ -57,6 +57,19 @@ TEST_F(SessionRerunEndTest, CanBeWatchedAndStoppedAndKeepsItsSteps) {
             document().steps.size());
 }
 
+TEST_F(SessionRerunEndTest, IsWatchedByWhoGoesToItBeforeItsFirstStep) {
+  open_run();
+  ask_for_a_slow_run(*session_);
+  act("rerun start");
+  act("run 2");
+  poll_until(*session_, [&] { return session_->active_run()->document != nullptr; });
+  const std::size_t seen = document().steps.size();
+  poll_until(*session_, [&] { return document().steps.size() > seen + 1; });
+  EXPECT_EQ(session_->playback().time_s, document().duration_s()) << "the cursor stays at the end";
+  act("cancel");
+  settle();
+}
+
 TEST_F(SessionRerunEndTest, LeavesTheCursorWaitingUntilItsEndIsRead) {
   open_run();
   ask_for_a_slow_run(*session_);

@@ -80,6 +80,10 @@ TEST_F(SettingsEffects, AListThatIsScrolledFillsItsRoom) {
 
 TEST_F(SettingsEffects, SaysWhatARerunFromTheCursorDoesNotRead) {
   const std::string words = "only From the start reads it";
+  for (const SettingRow& one : setting_rows(draft, {}, "")) {
+    EXPECT_FALSE(one.is_of_start) << one.name << ": nobody knows how it starts";
+  }
+  model.rows = setting_rows(draft, {}, "global");
   for (const SettingRow& one : model.rows) {
     EXPECT_EQ(one.is_of_start, one.name == "global-particles") << one.name;
   }
