@@ -10,7 +10,7 @@
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/map_subcommands.h"
-#include "core/label/label_export.h"
+#include "core/exchange/label_export.h"
 #include "core/label/label_store.h"
 
 namespace nadir::cli {

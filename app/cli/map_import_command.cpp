@@ -9,8 +9,8 @@
 #include "app/cli/console.h"
 #include "app/cli/map_subcommands.h"
 #include "core/base/staged_output.h"
-#include "core/label/label_export.h"
-#include "core/label/label_import.h"
+#include "core/exchange/label_export.h"
+#include "core/exchange/label_import.h"
 #include "core/label/label_store.h"
 #include "core/map/map_import.h"
 

@@ -6,7 +6,16 @@ set(NADIR_PRIVATE_HEADERS
   core/base/sqlite_database.h
   core/base/zstd.h
   core/desk/file_stamp.h
+  core/edit/border_chains.h
+  core/edit/edge_tree.h
+  core/edit/edit_builder.h
+  core/edit/geos_geometry.h
   core/eval/report_keys.h
+  core/exchange/export_writers.h
+  core/exchange/object_maker.h
+  core/exchange/osm_elements.h
+  core/exchange/ring_assembly.h
+  core/exchange/source_features.h
   core/flight/flight_formats.h
   core/flight/flight_settings.h
   core/flight/frame_image.h
@@ -15,13 +24,8 @@ set(NADIR_PRIVATE_HEADERS
   core/flight/kitti_raw_text.h
   core/flight/text_fields.h
   core/geo/number_lines.h
-  core/label/border_chains.h
   core/label/byte_reader.h
   core/label/cell_fill.h
-  core/label/edge_tree.h
-  core/label/edit_builder.h
-  core/label/export_writers.h
-  core/label/geos_geometry.h
   core/label/label_blobs.h
   core/label/label_connection.h
   core/label/label_database.h
@@ -31,11 +35,7 @@ set(NADIR_PRIVATE_HEADERS
   core/label/label_store_core.h
   core/label/label_sync.h
   core/label/label_tables.h
-  core/label/object_maker.h
-  core/label/osm_elements.h
-  core/label/ring_assembly.h
   core/label/row_walk.h
-  core/label/source_features.h
   core/label/spatial_functions.h
   core/label/tile_painter.h
   core/map/class_images.h

@@ -11,9 +11,9 @@
 #include "core/desk/label_selection.h"
 #include "core/desk/label_sheet.h"
 #include "core/desk/tool_points.h"
-#include "core/label/edit_objects.h"
-#include "core/label/edit_vertices.h"
-#include "core/label/street_profile.h"
+#include "core/edit/edit_objects.h"
+#include "core/edit/edit_vertices.h"
+#include "core/edit/street_profile.h"
 
 namespace nadir {
 

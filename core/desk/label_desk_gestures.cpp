@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/desk/label_desk.h"
+#include "core/edit/polygon_algebra.h"
 #include "core/label/edit_paint.h"
 #include "core/label/paint_objects.h"
-#include "core/label/polygon_algebra.h"
 
 namespace nadir {
 namespace {

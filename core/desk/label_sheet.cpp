@@ -9,7 +9,7 @@
 #include "core/desk/label_coverage.h"
 #include "core/desk/label_place.h"
 #include "core/desk/object_index.h"
-#include "core/label/snapping.h"
+#include "core/edit/snapping.h"
 
 namespace nadir {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/base/require.h"
-#include "core/label/edit_objects.h"
-#include "core/label/polygon_algebra.h"
+#include "core/edit/edit_objects.h"
+#include "core/edit/polygon_algebra.h"
 
 namespace nadir {
 namespace {

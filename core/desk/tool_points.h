@@ -6,7 +6,7 @@
 
 #include "core/base/angle.h"
 #include "core/desk/label_tool.h"
-#include "core/label/snapping.h"
+#include "core/edit/snapping.h"
 
 namespace nadir {
 

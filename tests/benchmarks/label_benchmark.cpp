@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "core/base/random.h"
-#include "core/label/edit_objects.h"
-#include "core/label/edit_vertices.h"
+#include "core/edit/edit_objects.h"
+#include "core/edit/edit_vertices.h"
 
 namespace {
 

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "core/base/measures.h"
-#include "core/label/edit_objects.h"
+#include "core/edit/edit_objects.h"
+#include "core/edit/edit_vertices.h"
+#include "core/edit/street_profile.h"
 #include "core/label/edit_paint.h"
-#include "core/label/edit_vertices.h"
 #include "core/label/label_raster.h"
-#include "core/label/street_profile.h"
 #include "tests/fuzz/fuzz_check.h"
 
 namespace {

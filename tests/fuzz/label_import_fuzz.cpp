@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
-#include "core/label/import_rules.h"
-#include "core/label/source_features.h"
+#include "core/exchange/import_rules.h"
+#include "core/exchange/source_features.h"
 #include "tests/fuzz/fuzz_check.h"
 
 namespace {

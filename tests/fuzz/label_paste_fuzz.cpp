@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
-#include "core/label/edit_objects.h"
+#include "core/edit/edit_objects.h"
 #include "tests/fuzz/fuzz_check.h"
 
 namespace {
