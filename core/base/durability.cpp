@@ -42,6 +42,24 @@ bool exchange_names(const fs::path& a, const fs::path& b) {
   return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
 }
 
+Result<void> rename_without_replacing(const fs::path& from, const fs::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return {};
+  int reason = errno;
+  if (reason == EINVAL || reason == ENOSYS) {
+    // A second name of the same file, which cannot replace anything either; then the first one goes.
+    reason = ::link(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+    if (reason == 0) ::unlink(from.c_str());
+  }
+  if (reason == EPERM || reason == EOPNOTSUPP || reason == ENOSYS) {  // There are no second names.
+    std::error_code error;
+    reason = fs::exists(fs::symlink_status(to, error)) ? EEXIST : 0;
+    if (reason == 0 && ::rename(from.c_str(), to.c_str()) != 0) reason = errno;
+  }
+  if (reason == 0) return {};
+  if (reason == EEXIST) return fail(ErrorCode::kIo, "{}: is there already", to.string());
+  return fail(ErrorCode::kIo, "{}: {}", to.string(), std::generic_category().message(reason));
+}
+
 Result<fs::path> replace_in_two_steps(const fs::path& fresh,
                                       const fs::path& target,
                                       const fs::path& aside) {

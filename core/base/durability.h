@@ -24,6 +24,11 @@ namespace nadir::detail {
 /// @returns false where the file system cannot do that.
 [[nodiscard]] bool exchange_names(const std::filesystem::path& a, const std::filesystem::path& b);
 
+/// Gives a file another name unless something has that one already, in one step; where the file system knows no way to do
+/// that, it looks first. @errors kIo: something has it.
+[[nodiscard]] Result<void> rename_without_replacing(const std::filesystem::path& from,
+                                                    const std::filesystem::path& to);
+
 /// Gives `fresh` the name of the folder `target` where they cannot be exchanged: `target` steps
 /// aside first. Nothing is removed, and where `fresh` cannot follow, `target` gets its name back.
 /// @param aside  What the old one is to be called; where that name is taken, such as after a crash

@@ -12,6 +12,7 @@
 
 #include "core/base/bystanders.h"
 #include "core/base/durability.h"
+#include "core/base/require.h"
 
 namespace nadir {
 namespace fs = std::filesystem;
@@ -141,6 +142,14 @@ Result<void> StagedOutput::commit() {
   }
   fs::rename(staged_, target_, error);
   if (error) return fail(ErrorCode::kIo, "{}: {}", target_.string(), error.message());
+  staged_.clear();
+  return detail::wait_for_name(target_);
+}
+
+Result<void> StagedOutput::commit_as_new() {
+  NADIR_REQUIRE(!rule_);
+  if (const auto written = detail::wait_for_disk(staged_); !written) return forward_error(written);
+  if (auto named = detail::rename_without_replacing(staged_, target_); !named) return named;
   staged_.clear();
   return detail::wait_for_name(target_);
 }

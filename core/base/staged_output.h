@@ -54,6 +54,8 @@ class StagedOutput {
   /// Renames to the target when all is on the disk. @errors kIo, and those of file() and folder() where something else
   /// has come to stand there meanwhile; the staged output is then removed by the destructor.
   [[nodiscard]] Result<void> commit();
+  /// The same for a file() that must not replace anything. @errors kIo also where something has its name by now.
+  [[nodiscard]] Result<void> commit_as_new();
 
  private:
   /// Which folders may give way.

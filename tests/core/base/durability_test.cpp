@@ -44,6 +44,24 @@ TEST(WaitForDisk, SaysWhatIsNotThere) {
   EXPECT_FALSE(wait_for_name(folder.path() / "none" / "run.nadir"));
 }
 
+TEST(RenameWithoutReplacing, GivesTheNameOnlyWhereItIsFree) {
+  const ScratchFolder folder;
+  const fs::path mine = folder.file("mine", "mine");
+  const fs::path other = folder.file("other", "other");
+  const auto refused = rename_without_replacing(mine, other);
+  EXPECT_EQ(error_text(refused), other.string() + ": is there already");
+  EXPECT_EQ(read_text_file(other).value(), "other");
+  EXPECT_EQ(read_text_file(mine).value(), "mine");
+  fs::create_symlink("nowhere", folder.path() / "link");
+  EXPECT_FALSE(rename_without_replacing(mine, folder.path() / "link"));
+  const auto done = rename_without_replacing(mine, folder.path() / "free");
+  EXPECT_TRUE(done) << error_text(done);
+  EXPECT_FALSE(fs::exists(mine));
+  EXPECT_EQ(read_text_file(folder.path() / "free").value(), "mine");
+  EXPECT_EQ(error_code(rename_without_replacing(mine, folder.path() / "no" / "folder")),
+            ErrorCode::kIo);
+}
+
 /// Two filled folders, "old" and "new", whose file says which is which.
 class TwoFolders : public testing::Test {
  protected:

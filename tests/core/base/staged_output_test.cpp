@@ -58,6 +58,20 @@ TEST(StagedFile, CommitReplacesTheOldFile) {
   EXPECT_EQ(read(target), "new");
 }
 
+TEST(StagedFile, AsANewOneItReplacesNothingThatCameMeanwhile) {
+  const ScratchFolder folder;
+  const fs::path target = folder.path() / "labels.gpkg";
+  for (const bool is_free : {true, false}) {
+    auto staged = StagedOutput::file(target);
+    ASSERT_TRUE(staged);
+    write(staged->path(), is_free ? "mine" : "second");
+    const auto done = staged->commit_as_new();
+    EXPECT_EQ(done.has_value(), is_free) << error_text(done);
+    EXPECT_EQ(read(target), "mine");
+  }
+  EXPECT_EQ(folder.entries(), 1);
+}
+
 TEST(StagedFile, AProcessThatDiesHalfWayLeavesTheOldFileWhole) {
   const ScratchFolder folder;
   const fs::path target = folder.file("run.nadir", "old");
