@@ -35,6 +35,7 @@ set(NADIR_PRIVATE_HEADERS
   core/label/label_store_core.h
   core/label/label_sync.h
   core/label/label_tables.h
+  core/label/named_file.h
   core/label/row_walk.h
   core/label/spatial_functions.h
   core/label/tile_painter.h

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/label/label_connection.h"
 
+#include <sqlite3.h>
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp is POSIX's.
 #include <unistd.h>
 
@@ -30,7 +31,13 @@ Result<SqliteDatabase> open_database(const fs::path& path,
   const bool can_be_written = ::access(path.c_str(), W_OK) == 0;
   auto database =
       open_label_database(path, name, can_be_written ? SqliteAccess::kWrite : SqliteAccess::kRead);
-  if (!database || !is_for_reading) return database;
+  if (!database) return database;
+  int has_moved = 0;
+  sqlite3_file_control(database->handle(), "main", SQLITE_FCNTL_HAS_MOVED, &has_moved);
+  if (has_moved != 0) {
+    return fail(ErrorCode::kIo, "{}: another program has replaced it while it was opened", name);
+  }
+  if (!is_for_reading) return database;
   if (auto only = database->execute("PRAGMA query_only = ON"); !only) return forward_error(only);
   return database;
 }
@@ -42,15 +49,21 @@ LabelConnection::TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path, ignored);
 }
 
-Result<LabelConnection> LabelConnection::open(const fs::path& path, bool is_for_reading) {
-  auto database = open_database(path, path.string(), is_for_reading);
+Result<LabelConnection> LabelConnection::open(const fs::path& path,
+                                              const std::string& name,
+                                              bool is_for_reading) {
+  auto database = open_database(path, name, is_for_reading);
   if (database) return LabelConnection(nullptr, std::move(*database));
   if (database.error().code != ErrorCode::kIo || !has_changes(path)) return forward_error(database);
-  return open_copy(path);
+  return open_copy(path, name);
 }
 
-Result<LabelConnection> LabelConnection::open_copy(const fs::path& path) {
-  const std::string name = path.string();
+void LabelConnection::let_go(bool has_changes) {
+  if (has_changes) static_cast<void>(database_.execute("PRAGMA wal_checkpoint(TRUNCATE)"));
+  sqlite3_db_config(database_.handle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+}
+
+Result<LabelConnection> LabelConnection::open_copy(const fs::path& path, const std::string& name) {
   std::error_code error;
   std::string folder = (fs::temp_directory_path(error) / "nadir-label-XXXXXX").string();
   if (error || ::mkdtemp(folder.data()) == nullptr) {

@@ -2,7 +2,6 @@
 #include "core/label/label_lock.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -16,20 +15,23 @@ namespace {
 constexpr int kAttempts = 20;
 constexpr std::size_t kMostHolderBytes = 300;
 
-/// Whether the open file is the one that has this name now.
-bool has_name(int descriptor, const std::filesystem::path& path) {
-  struct stat opened {};
-  struct stat named {};
-  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
-         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+std::filesystem::path lock_of(const std::filesystem::path& document) {
+  std::filesystem::path path = document;
+  path += ".lock";
+  return path;
+}
+
+struct flock whole_file() {
+  struct flock all {};
+  all.l_type = F_WRLCK;
+  all.l_whence = SEEK_SET;
+  return all;
 }
 
 /// A lock of the open file, not of the process, so that two writers of one process are two.
 /// @returns false where somebody else has it.
 bool lock(int descriptor) {
-  struct flock all {};
-  all.l_type = F_WRLCK;
-  all.l_whence = SEEK_SET;
+  struct flock all = whole_file();
   return ::fcntl(descriptor, F_OFD_SETLK, &all) == 0 || (errno != EAGAIN && errno != EACCES);
 }
 
@@ -52,10 +54,15 @@ void write_line(int descriptor, const std::string& line) {
 
 Result<LabelLock::Outcome> LabelLock::take(const std::filesystem::path& document,
                                            const std::string& holder) {
-  std::filesystem::path path = document;
-  path += ".lock";
+  const std::filesystem::path path = lock_of(document);
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (descriptor < 0 && errno == EACCES && ::access(path.c_str(), F_OK) == 0) {
+      // Another user's: that of a program at work, or one that a killed program has left.
+      if (auto who = LabelLock::holder(document)) return Outcome{std::nullopt, std::move(*who)};
+      if (::unlink(path.c_str()) == 0) continue;
+      return fail(ErrorCode::kIo, "{}: belongs to somebody else", path.string());
+    }
     if (descriptor < 0) {
       return fail(ErrorCode::kIo, "{}: {}", path.string(), std::generic_category().message(errno));
     }
@@ -66,27 +73,40 @@ Result<LabelLock::Outcome> LabelLock::take(const std::filesystem::path& document
       return outcome;
     }
     // Between opening and locking, whoever had it may have removed it.
-    if (has_name(descriptor, path)) {
+    NamedFile file(path, FileIdentity::of(descriptor));
+    if (file.has_its_name()) {
       write_line(descriptor, holder);
-      return Outcome{LabelLock(descriptor, std::move(path)), {}};
+      return Outcome{LabelLock(descriptor, std::move(file)), {}};
     }
     ::close(descriptor);
   }
   return fail(ErrorCode::kIo, "{}: others come and go", path.string());
 }
 
+std::optional<std::string> LabelLock::holder(const std::filesystem::path& document) {
+  const int descriptor = ::open(lock_of(document).c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return std::nullopt;
+  struct flock all = whole_file();
+  std::optional<std::string> holder;
+  if (::fcntl(descriptor, F_OFD_GETLK, &all) == 0 && all.l_type != F_UNLCK) {
+    holder = first_line(descriptor);
+  }
+  ::close(descriptor);
+  return holder;
+}
+
 LabelLock::LabelLock(LabelLock&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)), path_(std::move(other.path_)) {}
+    : descriptor_(std::exchange(other.descriptor_, -1)), file_(std::move(other.file_)) {}
 
 LabelLock& LabelLock::operator=(LabelLock&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);
-  std::swap(path_, other.path_);
+  std::swap(file_, other.file_);
   return *this;
 }
 
 LabelLock::~LabelLock() {
   if (descriptor_ < 0) return;
-  if (has_name(descriptor_, path_)) ::unlink(path_.c_str());
+  if (is_held()) ::unlink(file_.path().c_str());
   ::close(descriptor_);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/label/named_file.h"
 
 namespace nadir {
 
@@ -21,15 +22,19 @@ class LabelLock {
   /// a folder that cannot be written.
   [[nodiscard]] static Result<Outcome> take(const std::filesystem::path& document,
                                             const std::string& holder);
+  /// Who has it now, as the lock itself says and not the file, which a killed program leaves; nothing where nobody has.
+  [[nodiscard]] static std::optional<std::string> holder(const std::filesystem::path& document);
   LabelLock(LabelLock&& other) noexcept;
   LabelLock& operator=(LabelLock&& other) noexcept;
   ~LabelLock();  ///< Removes the file.
 
+  /// False once somebody has removed the file: the next who asks makes another one, and gets it.
+  [[nodiscard]] bool is_held() const { return file_.has_its_name(); }
+
  private:
-  LabelLock(int descriptor, std::filesystem::path path)
-      : descriptor_(descriptor), path_(std::move(path)) {}
+  LabelLock(int descriptor, NamedFile file) : descriptor_(descriptor), file_(std::move(file)) {}
   int descriptor_;
-  std::filesystem::path path_;
+  NamedFile file_;
 };
 
 struct LabelLock::Outcome {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,8 @@ enum class LabelAccess { kWriteWhereFree, kRead };
 /// not; a file that was closed is a single one. One program writes at a time, others read. One thread.
 class LabelStore {
  public:
-  /// Makes an empty document. @param author  Who works, for the history. @errors kIo: there is such a file already, or it
-  /// cannot be made.
+  /// Makes an empty document. @param author  Who works, for the history. @errors kIo: there is such a file already, somebody
+  /// else is making it, or it cannot be made; then nothing is left of it.
   [[nodiscard]] static Result<LabelStore> create(const std::filesystem::path& path,
                                                  const ProjectPlane& plane,
                                                  const LabelGrid& grid,
@@ -41,6 +42,15 @@ class LabelStore {
   [[nodiscard]] static Result<LabelStore> create(const std::filesystem::path& path,
                                                  const LabelDocument& document,
                                                  const std::string& author);
+  /// The same with what it begins with, in one: whenever the program is killed, there is no file or one with all of that.
+  /// @param empty  Plane and grid. @param first  Edits that become its first steps; those without a change do not. @errors as
+  /// commit() too.
+  [[nodiscard]] static Result<LabelStore> create(const std::filesystem::path& path,
+                                                 const LabelDocument& empty,
+                                                 std::span<const LabelEdit> first,
+                                                 const std::string& author);
+  /// Who writes into a document now, whether it is there or not; nothing where nobody does, as after a program was killed.
+  [[nodiscard]] static std::optional<std::string> writer(const std::filesystem::path& path);
   /// Opens a document, with all that a killed program had committed; for reading where it cannot be written, somebody else
   /// writes, or it is damaged (why_read_only()). What other programs have changed becomes a step of its own.
   /// @errors kNotFound; kMalformed: no labelling document, or nothing is left of it; kUnsupported: of a newer version; kIo.
@@ -56,11 +66,14 @@ class LabelStore {
   [[nodiscard]] const std::string& why_read_only() const;
   /// Whether the file is damaged, so that the document is only what could be read of it.
   [[nodiscard]] bool is_damaged() const;
+  /// Another program has replaced, moved or deleted the file, so that document() is all that is left, and can be written
+  /// elsewhere by create(). It is noticed by commit(), undo(), redo() and take_foreign_changes().
+  [[nodiscard]] bool has_lost_its_file() const;
   /// What the user should know about what was read, each one sentence without full stop.
   [[nodiscard]] const std::vector<std::string>& notices() const;
 
   /// Does an edit, in the file first. On errors nothing has changed, neither file nor document.
-  /// @errors kInvalidOptions: read-only; as LabelDocument::check(); kIo: the disk is full, the file is gone or locked.
+  /// @errors kInvalidOptions: read-only; as LabelDocument::check(); kIo: the disk is full, the file is locked or lost.
   [[nodiscard]] Result<void> commit(const LabelEdit& edit);
 
   /// What undo() would take back and redo() do again; nothing where there is nothing.
@@ -76,8 +89,8 @@ class LabelStore {
   /// Steps by number. @errors kMalformed, kIo.
   [[nodiscard]] Result<std::vector<LabelStep>> history(std::int64_t first, int count) const;
 
-  /// Takes over what another program has written into the tables of objects, as a step. @returns the edit; empty where
-  /// nothing has changed. @errors as commit().
+  /// Takes over what another program has written into the tables of objects, as a step; what another Nadir has written, with
+  /// its steps. @returns the edit; empty where nothing has changed. @errors as commit().
   [[nodiscard]] Result<LabelEdit> take_foreign_changes();
 
   /// Waits until all that was committed would survive a power cut too, as it does by itself a moment later.
@@ -90,6 +103,12 @@ class LabelStore {
 
  private:
   struct Implementation;
+  struct Opening;
+  [[nodiscard]] static Result<Opening> find(const std::filesystem::path& path,
+                                            const std::string& author,
+                                            LabelAccess access);
+  /// @param known  What the file holds, where that was just written; nothing: it is read.
+  [[nodiscard]] static Result<LabelStore> open(Opening opening, std::optional<LabelDocument> known);
   explicit LabelStore(std::unique_ptr<Implementation> implementation);
   std::unique_ptr<Implementation> implementation_;
 };

@@ -2,8 +2,10 @@
 #include "core/label/label_store_core.h"
 
 #include <fmt/chrono.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <ctime>
 
@@ -16,14 +18,24 @@ std::string label_time_now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
 }
 
-LabelStore::Implementation::Implementation(std::filesystem::path where,
-                                           std::string who,
+std::string label_holder(const std::string& author) {
+  std::array<char, 256> host{};
+  const bool is_known = ::gethostname(host.data(), host.size() - 1) == 0 && host.front() != 0;
+  return fmt::format("{} on {} since {} (process {})", author.empty() ? "somebody" : author,
+                     is_known ? host.data() : "this machine", label_time_now(), ::getpid());
+}
+
+LabelStore::Implementation::Implementation(Opening opening,
                                            LabelConnection opened,
                                            LabelDocument empty)
-    : path(std::move(where)),
-      author(std::move(who)),
+    : path(std::move(opening.path)),
+      real(std::move(opening.real)),
+      author(std::move(opening.author)),
+      file(std::filesystem::absolute(path)),
+      lock(std::move(opening.lock)),
       connection(std::move(opened)),
-      document(std::move(empty)) {}
+      document(std::move(empty)),
+      why_read_only(std::move(opening.why_read_only)) {}
 
 Result<void> LabelStore::Implementation::check_writable() const {
   NADIR_REQUIRE(!is_closed);
@@ -41,6 +53,10 @@ Result<void> LabelStore::Implementation::read_all() {
     take_as_damaged();
     return {};
   }
+  return read_history();
+}
+
+Result<void> LabelStore::Implementation::read_history() {
   const auto at = read_head(database());
   if (!at) return forward_error(at);
   auto undone = read_step(database(), *at);
@@ -83,12 +99,13 @@ Result<void> LabelStore::Implementation::prepare_writing() {
   // Changing the mode counts as a change by somebody else.
   if (*before == data_version) data_version = *after;
   has_written = true;
-  sync = std::make_unique<LabelSync>(path);
+  sync = std::make_unique<LabelSync>(NamedFile(real));
   return {};
 }
 
 Result<void> LabelStore::Implementation::write(bool expects_own,
                                                const std::function<Result<void>()>& change) {
+  if (auto in_place = check_in_place(); !in_place) return in_place;
   if (auto prepared = prepare_writing(); !prepared) return prepared;
   auto transaction = SqliteTransaction::begin(database(), "BEGIN IMMEDIATE");
   if (!transaction) return forward_error(transaction);
@@ -98,8 +115,16 @@ Result<void> LabelStore::Implementation::write(bool expects_own,
     return fail(ErrorCode::kInvalidOptions,
                 "{}: another program has changed it; take its changes over first", path.string());
   }
+  if (beside.empty()) {
+    for (const char* const ending : {"-wal", "-shm"}) {
+      NamedFile found(real.string() + ending);
+      if (found.was_there()) beside.push_back(std::move(found));
+    }
+  }
   if (auto changed = change(); !changed) return changed;
   if (auto committed = transaction->commit(); !committed) return committed;
+  // Where the file has lost its name just now, what was written into it would not be found again.
+  if (!file.has_its_name()) return let_go_of_file();
   sync->note_commit();
   return {};
 }
@@ -188,7 +213,27 @@ Result<ForeignChanges> LabelStore::Implementation::find_foreign() {
   return changes;
 }
 
+Result<void> LabelStore::Implementation::read_again() {
+  LabelDocument before(document.plane(), document.grid());
+  std::swap(before, document);
+  auto read = read_all();
+  if (!read || is_damaged) std::swap(before, document);
+  return read;
+}
+
 Result<LabelEdit> LabelStore::Implementation::take_foreign() {
+  if (is_damaged) return take_foreign_objects();
+  const auto at = read_head(database());
+  if (!at) return forward_error(at);
+  if (*at == head) return take_foreign_objects();
+  // A program that knows steps: it may have changed paint, values and history too.
+  const LabelDocument before = document;
+  if (auto read = read_again(); !read) return forward_error(read);
+  if (auto taken = take_foreign_objects(); !taken) return taken;
+  return difference(before, document, "Follow another program");
+}
+
+Result<LabelEdit> LabelStore::Implementation::take_foreign_objects() {
   auto found = find_foreign();
   if (!found) return forward_error(found);
   notices.insert(notices.end(), found->notices.begin(), found->notices.end());

@@ -2,6 +2,7 @@
 #include "core/label/label_sync.h"
 
 #include <fcntl.h>
+#include <sqlite3.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -22,8 +23,8 @@ constexpr std::uintmax_t kMostChangeBytes = std::uintmax_t{8} << 20U;
 
 }  // namespace
 
-LabelSync::LabelSync(std::filesystem::path document)
-    : document_(std::move(document)), changes_(document_) {
+LabelSync::LabelSync(NamedFile document)
+    : document_(std::move(document)), changes_(document_.path()) {
   changes_ += "-wal";
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
@@ -64,6 +65,12 @@ void LabelSync::run(const std::stop_token& stop) {
 }
 
 Result<void> LabelSync::bring() const {
+  const auto check_name = [&]() -> Result<void> {
+    if (document_.has_its_name()) return {};
+    return fail(ErrorCode::kIo, "{}: is not the file any more that was opened",
+                document_.path().string());
+  };
+  if (auto named = check_name(); !named) return named;
   // SQLite's locks lie on the document and on NAME-shm; closing this file takes none of them away.
   const int descriptor = ::open(changes_.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
@@ -80,8 +87,11 @@ Result<void> LabelSync::bring() const {
   std::error_code ignored;
   const std::uintmax_t bytes = std::filesystem::file_size(changes_, ignored);
   if (ignored || bytes < kMostChangeBytes) return {};
-  auto database = open_label_database(document_, document_.string(), SqliteAccess::kWrite);
+  auto database =
+      open_label_database(document_.path(), document_.path().string(), SqliteAccess::kWrite);
   if (!database) return forward_error(database);
+  sqlite3_db_config(database->handle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+  if (auto named = check_name(); !named) return named;
   // Without waiting for readers or writers: what they hold up is carried over the next time.
   return database->execute("PRAGMA wal_checkpoint(PASSIVE)");
 }

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "core/base/result.h"
+#include "core/label/named_file.h"
 
 namespace nadir {
 
@@ -19,22 +20,23 @@ namespace nadir {
 /// document.
 class LabelSync {
  public:
-  /// @param document  In WAL mode, and kept so while this lives.
-  explicit LabelSync(std::filesystem::path document);
+  /// @param document  In WAL mode, and kept so while this lives. Once its name stands for another file, that is left alone.
+  explicit LabelSync(NamedFile document);
   ~LabelSync();  ///< Leaves what has not been brought yet to whoever closes the document.
   LabelSync(const LabelSync&) = delete;
   LabelSync& operator=(const LabelSync&) = delete;
 
   /// There is something new. Any thread.
   void note_commit();
-  /// Waits until all that was noted is on the disk. @errors kIo: the disk fails.
+  /// Waits until all that was noted is on the disk. @errors kIo: the disk fails, the file has lost its name.
   [[nodiscard]] Result<void> flush();
 
  private:
   void run(const std::stop_token& stop);
   [[nodiscard]] Result<void> bring() const;
 
-  std::filesystem::path document_, changes_;
+  NamedFile document_;
+  std::filesystem::path changes_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::int64_t noted_ = 0, brought_ = 0;

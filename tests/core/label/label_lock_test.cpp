@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 
 #include "tests/support/error_text.h"
@@ -65,6 +66,59 @@ TEST(LabelLock, OfAnotherProgramEndsWithIt) {
   EXPECT_TRUE(taken(document, "parent").lock);
   ::close(ends[0]);
   ::close(ends[1]);
+}
+
+TEST(LabelLock, SaysWhoHasItAndNotWhoHasLeftAFile) {
+  const ScratchFolder scratch;
+  const fs::path document = scratch.path() / "labels.gpkg";
+  EXPECT_FALSE(LabelLock::holder(document));
+  scratch.file("labels.gpkg.lock", "eve, who was killed\n");
+  EXPECT_FALSE(LabelLock::holder(document));
+  {
+    const auto mine = taken(document, "ada");
+    EXPECT_EQ(LabelLock::holder(document), "ada");
+    EXPECT_EQ(LabelLock::holder(document), "ada") << "asking takes nothing away";
+    EXPECT_EQ(taken(document, "bob").holder, "ada");
+  }
+  EXPECT_FALSE(LabelLock::holder(document));
+  EXPECT_EQ(scratch.entries(), 0) << "asking leaves nothing";
+}
+
+TEST(LabelLock, IsNotHeldOnceSomebodyHasRemovedItsFile) {
+  const ScratchFolder scratch;
+  const fs::path document = scratch.path() / "labels.gpkg";
+  const auto mine = taken(document, "ada");
+  EXPECT_TRUE(mine.lock->is_held());
+  fs::remove(scratch.path() / "labels.gpkg.lock");
+  EXPECT_FALSE(mine.lock->is_held());
+  EXPECT_TRUE(taken(document, "bob").lock);
+  EXPECT_FALSE(mine.lock->is_held());
+}
+
+TEST(LabelLock, AnotherUsersFileIsInTheWayOnlyWhileThatUserHasTheLock) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only the administrator can be two users";
+  const ScratchFolder scratch;
+  fs::permissions(scratch.path(), fs::perms(0777));
+  const fs::path document = scratch.path() / "labels.gpkg";
+  // Takes the lock as somebody else. @returns 1: got it, 2: was told who has it.
+  const auto as_nobody = [&] {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      if (::setgid(65534) != 0 || ::setuid(65534) != 0) ::_exit(99);
+      const auto outcome = LabelLock::take(document, "nobody");
+      ::_exit(!outcome ? 98 : outcome->lock ? 1 : outcome->holder == "root" ? 2 : 97);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WEXITSTATUS(status);
+  };
+  {
+    const auto mine = taken(document, "root");
+    EXPECT_EQ(as_nobody(), 2);
+    EXPECT_TRUE(mine.lock->is_held());
+  }
+  scratch.file("labels.gpkg.lock", "root, killed\n");
+  EXPECT_EQ(as_nobody(), 1);
 }
 
 TEST(LabelLock, NamesAFolderThatIsNotThere) {
