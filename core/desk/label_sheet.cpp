@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <utility>
 
 #include "core/desk/file_stamp.h"
@@ -23,13 +24,6 @@ std::string why_not_makeable(const fs::path& document) {
                      document.string());
 }
 
-/// Removes a document that was just made, with what belongs to it.
-void remove_document(const fs::path& path) {
-  std::error_code ignored;
-  for (const char* const ending : {"", "-wal", "-shm", ".lock"})
-    fs::remove(path.string() + ending, ignored);
-}
-
 }  // namespace
 
 struct LabelSheet::Implementation {
@@ -45,6 +39,7 @@ struct LabelSheet::Implementation {
   std::vector<std::string> notices;
   std::size_t told_notices = 0;  ///< Of the store.
   FileStamp stamp;               ///< Just before a document that is only read was read.
+  std::string told_fault;        ///< By the last poll().
   ChangeLog log;
   std::unique_ptr<ObjectIndex> objects;
   std::unique_ptr<SnapIndex> places;
@@ -73,27 +68,25 @@ struct LabelSheet::Implementation {
     log.add(edit, now().grid());
     snapshot.reset();
   }
-  /// Makes the file with what it begins with and a first edit, or nothing. @param edit  That fits.
+  /// Makes the file with what it begins with and a first edit, in one, or nothing. @param edit  That fits.
   [[nodiscard]] Result<void> make_with(const LabelEdit& edit) {
-    auto made = LabelStore::create(place.document, unmade->plane(), unmade->grid(), author);
+    const std::array<LabelEdit, 2> first{place.takes_over, edit};
+    auto made = LabelStore::create(place.document, LabelDocument(unmade->plane(), unmade->grid()),
+                                   first, author);
     if (!made) return forward_error(made);
-    auto done = made->commit(place.takes_over);
-    if (done) done = made->commit(edit);
-    if (!done) {
-      static_cast<void>(made->close());
-      remove_document(place.document);
-      return done;
-    }
     take_store(std::move(*made));
+    told_notices = 0;  // By the next poll().
     place.takes_over = {};
     return {};
   }
   [[nodiscard]] Result<void> go(Result<LabelEdit> gone) {
+    why_read_only = store->why_read_only();
     if (!gone) return forward_error(gone);
     follow(*gone);
     return {};
   }
   [[nodiscard]] Result<std::vector<std::string>> open_again();
+  [[nodiscard]] Result<std::vector<std::string>> poll();
 };
 
 LabelSheet::LabelSheet(std::unique_ptr<Implementation> implementation)
@@ -105,20 +98,20 @@ LabelSheet::~LabelSheet() = default;
 Result<LabelSheet> LabelSheet::open(const fs::path& named,
                                     const std::string& author,
                                     const LabelOpening& how) {
-  const LabelAccess access = how.access;
   auto place = find_label_place(named, how.image);
   if (!place) return forward_error(place);
-  auto all = std::make_unique<Implementation>(std::move(*place), author, access);
+  auto all = std::make_unique<Implementation>(std::move(*place), author, how.access);
   all->notices = all->place.notices;
   if (all->place.begins_as) {
     all->unmade = std::move(all->place.begins_as);
     all->unmade->apply(all->place.takes_over);
-    all->why_read_only = access == LabelAccess::kRead ? fmt::format("{}: was opened for reading",
-                                                                    all->place.document.string())
-                                                      : why_not_makeable(all->place.document);
+    all->why_read_only =
+        all->access == LabelAccess::kRead
+            ? fmt::format("{}: was opened for reading", all->place.document.string())
+            : why_not_makeable(all->place.document);
   } else {
     all->stamp = stamp_of(all->place.document);
-    auto store = LabelStore::open(all->place.document, author, access);
+    auto store = LabelStore::open(all->place.document, author, all->access);
     if (!store) return forward_error(store);
     all->take_store(std::move(*store));
     const auto& told = all->store->notices();
@@ -160,7 +153,9 @@ Result<void> LabelSheet::commit(const LabelEdit& edit) {
   }
   if (edit.empty()) return {};
   if (all.store) {
-    if (auto done = all.store->commit(edit); !done) return done;
+    auto done = all.store->commit(edit);
+    all.why_read_only = all.store->why_read_only();
+    if (!done) return done;
   } else {
     if (auto fits = all.unmade->check(edit); !fits) return fits;
     if (auto made = all.make_with(edit); !made) return made;
@@ -198,6 +193,7 @@ Result<void> LabelSheet::go_to(std::int64_t step) {
   if (!store) return fail(ErrorCode::kInvalidOptions, "there is no step {}", step);
   const LabelDocument before = store->document();
   const auto gone = store->go_to(step);
+  implementation_->why_read_only = store->why_read_only();
   // Where it fails, it may stand at a step on the way.
   const LabelEdit edit = gone ? *gone : difference(before, store->document(), {});
   if (!edit.empty()) implementation_->follow(edit);
@@ -221,8 +217,10 @@ Result<std::vector<std::string>> LabelSheet::Implementation::open_again() {
   const std::string name = place.document.string();
   const bool was_there = store.has_value();
   const std::string why_before = why_read_only;
-  stamp = stamp_of(place.document);
+  const FileStamp now_there = stamp_of(place.document);
   auto opened = LabelStore::open(place.document, author, access);
+  // What somebody else holds up is tried again, and what is no document when it has changed.
+  if (opened || opened.error().code != ErrorCode::kIo) stamp = now_there;
   if (!opened) return forward_error(opened);
   const bool is_same_place =
       opened->document().plane() == now().plane() && opened->document().grid() == now().grid();
@@ -247,29 +245,50 @@ Result<std::vector<std::string>> LabelSheet::Implementation::open_again() {
   return words;
 }
 
-Result<std::vector<std::string>> LabelSheet::poll() {
-  Implementation& all = *implementation_;
+Result<std::vector<std::string>> LabelSheet::Implementation::poll() {
   std::error_code ignored;
-  if (!all.store) {
-    if (!fs::exists(all.place.document, ignored)) return std::vector<std::string>{};
-    return all.open_again();
+  if (!store) {
+    if (!fs::exists(place.document, ignored)) return std::vector<std::string>{};
+    return open_again();
   }
-  if (!all.why_read_only.empty()) {
-    if (stamp_of(all.place.document) == all.stamp) return std::vector<std::string>{};
-    return all.open_again();
+  if (store->has_lost_its_file()) return fail(ErrorCode::kIo, "{}", why_read_only);
+  if (!why_read_only.empty()) {
+    if (stamp_of(place.document) == stamp) return std::vector<std::string>{};
+    return open_again();
   }
-  const auto edit = all.store->take_foreign_changes();
+  const auto edit = store->take_foreign_changes();
+  why_read_only = store->why_read_only();
   if (!edit) return forward_error(edit);
   std::vector<std::string> words;
-  for (; all.told_notices < all.store->notices().size(); ++all.told_notices)
-    words.push_back(all.store->notices()[all.told_notices]);
-  all.why_read_only = all.store->why_read_only();
+  for (; told_notices < store->notices().size(); ++told_notices)
+    words.push_back(store->notices()[told_notices]);
   if (edit->empty()) return words;
-  all.follow(*edit);
-  words.push_back(fmt::format("{}: took over {} object{} that another program has changed",
-                              all.place.document.string(), edit->objects.size(),
-                              edit->objects.size() == 1 ? "" : "s"));
+  follow(*edit);
+  const std::size_t count = edit->objects.size();  // None where it is paint, values or history.
+  const std::string what =
+      count == 0 ? "what" : fmt::format("{} object{} that", count, count == 1 ? "" : "s");
+  words.push_back(
+      fmt::format("{}: took over {} another program has changed", place.document.string(), what));
   return words;
+}
+
+Result<std::vector<std::string>> LabelSheet::poll() {
+  auto words = implementation_->poll();
+  std::string fault = words ? std::string() : words.error().message;
+  if (!fault.empty() && fault == implementation_->told_fault) return std::vector<std::string>{};
+  implementation_->told_fault = std::move(fault);
+  return words;
+}
+
+bool LabelSheet::has_lost_its_file() const {
+  const auto& store = implementation_->store;
+  return store && store->has_lost_its_file();
+}
+
+Result<void> LabelSheet::save_copy(const fs::path& path) const {
+  auto made = LabelStore::create(path, now(), implementation_->author);
+  if (!made) return forward_error(made);
+  return made->close();
 }
 
 Result<void> LabelSheet::flush() {

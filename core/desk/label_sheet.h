@@ -73,9 +73,16 @@ class LabelSheet {
   [[nodiscard]] Result<std::vector<LabelStep>> history(std::int64_t first, int count) const;
 
   /// Takes over what other programs have written meanwhile; about once a second. A document that was opened for reading, or
-  /// that was not there, is opened again, and can be edited from then on if nobody else has it.
-  /// @returns what the user should know, or nothing. @errors as commit().
+  /// that was not there, is opened again, and can be edited from then on if nobody else has it. One whose file has lost its
+  /// name stays as it is, and is told as an error.
+  /// @returns what the user should know, or nothing. @errors as commit(); what lasts is said once.
   [[nodiscard]] Result<std::vector<std::string>> poll();
+
+  /// Another program has replaced, moved or deleted the file: what is shown is all that is left until save_copy().
+  [[nodiscard]] bool has_lost_its_file() const;
+  /// Writes all that is drawn into a new document; the history stays behind. It may have any state: lost, damaged, not made.
+  /// @errors kIo: there is something of that name, or it cannot be written; then nothing is left of it.
+  [[nodiscard]] Result<void> save_copy(const std::filesystem::path& path) const;
 
   /// Waits for the disk, as LabelStore::flush().
   [[nodiscard]] Result<void> flush();
