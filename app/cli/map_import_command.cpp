@@ -90,13 +90,13 @@ Result<void> write_new_map(const LabelDocument& document,
                            const MapProvenance& provenance,
                            const fs::path& package,
                            const WorkContext& context) {
-  std::error_code error;
-  if (fs::exists(package, error) && !fs::is_empty(package, error)) {
+  // Also at the end: somebody may have begun to draw there meanwhile.
+  const auto is_taken = [&](const fs::path&) -> Result<void> {
     return fail(ErrorCode::kIo,
                 "{}: is there already; import into another folder, or with --into into its {}",
                 package.string(), kLabels);
-  }
-  auto staged = StagedOutput::folder(package, "map.toml");
+  };
+  auto staged = StagedOutput::folder(package, "map.toml", {}, is_taken);
   if (!staged) return forward_error(staged);
   const auto written = export_labels(document, document.grid(), provenance,
                                      LabelFormat::kMapPackage, staged->path(), context);

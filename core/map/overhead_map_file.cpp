@@ -20,9 +20,12 @@ constexpr int kFormat = 1;
 constexpr const char* kSettingsFile = "map.toml";
 constexpr const char* kLabelsFile = "labels.tif";
 constexpr const char* kImageFile = "image.tif";
-/// Everything that write_overhead_map makes; other files of a package are not its own.
-constexpr std::array<std::string_view, 5> kOwnFiles{
-    kSettingsFile, kLabelsFile, "labels.tif.aux.xml", kImageFile, "image.tif.aux.xml"};
+constexpr const char* kLabelNotesFile = "labels.tif.aux.xml";
+constexpr const char* kImageNotesFile = "image.tif.aux.xml";
+/// Everything that write_overhead_map makes, in the order in which it is replaced; other files of a package are not its own.
+/// The labels last: until then it is the old map.
+constexpr std::array<std::string_view, 5> kOwnFiles{kSettingsFile, kImageNotesFile, kImageFile,
+                                                    kLabelNotesFile, kLabelsFile};
 
 Result<Settings> read_settings(const fs::path& package) {
   std::error_code error;
@@ -103,23 +106,15 @@ std::string settings_text(const std::string& name,
       classes, plane.origin().latitude_deg, plane.origin().longitude_deg);
 }
 
-/// What others put into a package, such as the labelling document, survives when the map is written
-/// again. @errors kIo.
-Result<void> carry_over_other_files(const fs::path& package, const fs::path& staged) {
+/// Whether there is anything in a package that is not the map's own, such as a labelling document.
+bool has_other_files(const fs::path& package) {
   std::error_code error;
-  if (!fs::is_directory(package, error)) return {};
-  fs::directory_iterator entries(package, error);
-  for (const fs::directory_entry& entry : entries) {
-    const std::string name = entry.path().filename().string();
-    if (std::find(kOwnFiles.begin(), kOwnFiles.end(), name) != kOwnFiles.end()) continue;
-    fs::copy(entry.path(), staged / name, fs::copy_options::recursive, error);
-    if (error) break;
+  for (fs::directory_iterator entry(package, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (std::find(kOwnFiles.begin(), kOwnFiles.end(), name) == kOwnFiles.end()) return true;
   }
-  if (error) {
-    return fail(ErrorCode::kIo, "{}: its other files cannot be kept ({})", package.string(),
-                error.message());
-  }
-  return {};
+  return false;
 }
 
 /// Whether labels may be written into a package that is there. @errors kIo: they do not belong to it.
@@ -149,19 +144,31 @@ Result<void> check_same_map(const LabelStrips& labels, const fs::path& package) 
   return {};
 }
 
-/// Puts files of a staged folder in the place of those of a package, the labels last: until then it is the old map.
-Result<void> replace_files(const fs::path& staged, const fs::path& package) {
+/// Puts the files of a staged folder in the place of those of a package, each by itself, so that whoever has others open there
+/// may go on. @param is_whole  What is not staged goes: the picture of the map before.
+Result<void> replace_files(const fs::path& staged, const fs::path& package, bool is_whole) {
   if (const auto safe = detail::wait_for_disk(staged); !safe) return forward_error(safe);
-  for (const char* name : {kSettingsFile, "labels.tif.aux.xml", kLabelsFile}) {
+  for (const std::string_view name : kOwnFiles) {
     std::error_code error;
-    if (!fs::exists(staged / name, error)) continue;
-    fs::rename(staged / name, package / name, error);
+    if (fs::exists(staged / name, error)) {
+      fs::rename(staged / name, package / name, error);
+    } else if (is_whole) {
+      fs::remove(package / name, error);
+    }
     if (error) {
       return fail(ErrorCode::kIo, "{}: cannot be replaced ({})", (package / name).string(),
                   error.message());
     }
   }
   return detail::wait_for_name(package / kLabelsFile);
+}
+
+/// Until a package is complete, any map may be in its place; a folder that others have put more into is not exchanged.
+StagedOutput::FolderCheck lets_go_of_maps(const bool& is_complete) {
+  return [&is_complete](const fs::path& folder) -> Result<void> {
+    if (!is_complete || !has_other_files(folder)) return {};
+    return fail(ErrorCode::kIo, "{}: others are writing into it; try again", folder.string());
+  };
 }
 
 }  // namespace
@@ -239,7 +246,8 @@ Result<void> write_overhead_map(const OverheadMap& map,
   NADIR_REQUIRE(!map.labels.empty());
   NADIR_REQUIRE(!image ||
                 (image->width() == map.labels.width() && image->height() == map.labels.height()));
-  auto staged = StagedOutput::folder(package, kSettingsFile);
+  bool is_complete = false;
+  auto staged = StagedOutput::folder(package, kSettingsFile, {}, lets_go_of_maps(is_complete));
   if (!staged) return forward_error(staged);
   if (const auto done = write_label_tiff(map, staged->path() / kLabelsFile); !done) {
     return forward_error(done);
@@ -251,9 +259,11 @@ Result<void> write_overhead_map(const OverheadMap& map,
   const auto done = write_text_file(staged->path() / kSettingsFile,
                                     settings_text(map.name, map.plane, provenance));
   if (!done) return forward_error(done);
-  // Last, for labels take minutes to write, and a labelling document is saved meanwhile.
-  if (const auto kept = carry_over_other_files(package, staged->path()); !kept) {
-    return forward_error(kept);
+  is_complete = true;
+  // Asked last: labels take minutes to write, and somebody may begin to draw on the map meanwhile.
+  std::error_code error;
+  if (fs::exists(package / kSettingsFile, error) && has_other_files(package)) {
+    return replace_files(staged->path(), package, true);
   }
   return staged->commit();
 }
@@ -262,12 +272,15 @@ Result<void> write_labels_of_map(const LabelStrips& labels,
                                  const MapProvenance& provenance,
                                  const fs::path& package) {
   NADIR_REQUIRE(labels.width > 0 && labels.height > 0 && labels.rows != nullptr);
-  std::error_code error;
-  const bool is_there = fs::exists(package / kSettingsFile, error);
-  if (is_there) {
+  const auto is_there = [&] {
+    std::error_code error;
+    return fs::exists(package / kSettingsFile, error);
+  };
+  if (is_there()) {
     if (const auto same = check_same_map(labels, package); !same) return forward_error(same);
   }
-  auto staged = StagedOutput::folder(package, kSettingsFile);
+  bool is_complete = false;
+  auto staged = StagedOutput::folder(package, kSettingsFile, {}, lets_go_of_maps(is_complete));
   if (!staged) return forward_error(staged);
   if (const auto done = write_label_tiff(labels, staged->path() / kLabelsFile); !done) {
     return forward_error(done);
@@ -275,7 +288,10 @@ Result<void> write_labels_of_map(const LabelStrips& labels,
   const auto done = write_text_file(staged->path() / kSettingsFile,
                                     settings_text(labels.name, labels.plane, provenance));
   if (!done) return forward_error(done);
-  return is_there ? replace_files(staged->path(), package) : staged->commit();
+  is_complete = true;
+  if (!is_there()) return staged->commit();
+  if (const auto same = check_same_map(labels, package); !same) return forward_error(same);
+  return replace_files(staged->path(), package, false);
 }
 
 }  // namespace nadir

@@ -37,7 +37,8 @@ using ColourRaster = Raster<Colour>;
 
 /// Writes a map package by way of a staged folder: map.toml, labels.tif (paletted, deflate, class
 /// names, overviews by nearest) and, where given, image.tif (JPEG-in-TIFF quality 85 with
-/// overviews; same size as the labels).
+/// overviews; same size as the labels). A package that holds nothing else is replaced in one step. In one with other files,
+/// such as a labelling document, each file of the map is replaced by itself, so that who has others open may go on.
 /// @errors kIo.
 [[nodiscard]] Result<void> write_overhead_map(const OverheadMap& map,
                                               const MapProvenance& provenance,

@@ -230,6 +230,19 @@ TEST_F(LabelDeskLoss, ADeletedDocumentIsNoticedByPollingAndCanBeSavedWhereItWas)
   expect_sound(path(), before);
 }
 
+TEST_F(LabelDeskLoss, AMapThatIsWrittenAgainLeavesTheDeskAtWork) {
+  const fs::path package = half_a_road(scratch.path());
+  LabelDesk fresh = opened_desk(package);
+  ASSERT_THAT(fresh.stroke({{250.5, -50.5}}, 3.0, kTerrain), Succeeds());
+  half_a_road(scratch.path(), true);
+  ASSERT_THAT(fresh.stroke({{200.5, -50.5}}, 3.0, kTerrain), Succeeds());
+  EXPECT_THAT(*fresh.poll(), IsEmpty());
+  const LabelDocument last = fresh.sheet().now();
+  desk = std::move(fresh);
+  desk = opened_desk(path());
+  expect_sound(package / "labels.gpkg", last);
+}
+
 TEST_F(LabelDeskLoss, ACopyIsWhatIsSeenAlsoBeforeThereIsAFile) {
   const LabelDesk fresh = opened_desk(half_a_road(scratch.path()));
   ASSERT_THAT(fresh.sheet().save_copy(copy_), Succeeds());

@@ -2,7 +2,9 @@
 #include "core/map/overhead_map_file.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -172,6 +174,53 @@ TEST_F(MapPackage, KeepsWhatOthersPutIntoIt) {
   write(town(30, 20));
   EXPECT_EQ(read_text_file(package() / "labels.gpkg").value(), "an afternoon of work");
   EXPECT_EQ(read_overhead_map(package())->labels.width(), 30);
+}
+
+/// Which file a name stands for: that of somebody who has it open, or another.
+ino_t number_of(const fs::path& path) {
+  struct stat found {};
+  return ::stat(path.c_str(), &found) == 0 ? found.st_ino : 0;
+}
+
+TEST_F(MapPackage, WhatOthersHaveOpenInItStaysTheSameFile) {
+  write(town(20, 20), ColourRaster(20, 20, Colour{90, 120, 60}));
+  ASSERT_TRUE(write_text_file(package() / "labels.gpkg", "an afternoon of work"));
+  const ino_t before = number_of(package() / "labels.gpkg");
+  const ino_t folder_before = number_of(package());
+  std::ofstream changes(package() / "labels.gpkg-wal");
+  const OverheadMap wide = town(30, 20);
+  write(wide);
+  changes << "the last stroke" << std::flush;
+  EXPECT_EQ(number_of(package() / "labels.gpkg"), before);
+  EXPECT_EQ(number_of(package()), folder_before);
+  EXPECT_EQ(read_text_file(package() / "labels.gpkg-wal").value(), "the last stroke");
+  EXPECT_EQ(read_overhead_map(package())->labels, wide.labels);
+  EXPECT_FALSE(fs::exists(package() / "image.tif")) << "the picture of another map";
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST_F(MapPackage, ADocumentThatIsBegunWhileLabelsAreWrittenStays) {
+  const OverheadMap map = town(20, 20);
+  const fs::path elsewhere = folder.path() / "elsewhere";
+  ASSERT_TRUE(write_overhead_map(map, town_provenance, {}, elsewhere));
+  const auto rows = [&](int first, int count) -> Result<Raster<ClassId>> {
+    // There is no package when the export begins, and one when it ends.
+    if (!fs::exists(package())) {
+      fs::copy(elsewhere, package());
+      folder.file("town/labels.gpkg", "an afternoon of work");
+    }
+    Raster<ClassId> strip(20, count);
+    for (int row = 0; row < count; ++row) {
+      std::ranges::copy(map.labels.row(first + row), strip.row(row).begin());
+    }
+    return strip;
+  };
+  const LabelStrips strips{"town", map.plane, map.metres_per_cell, map.top_left_in_enu_m, 20,
+                           20,     rows};
+  const auto written = write_labels_of_map(strips, {}, package());
+  EXPECT_TRUE(written) << error_text(written);
+  EXPECT_EQ(read_text_file(package() / "labels.gpkg").value(), "an afternoon of work");
+  EXPECT_EQ(read_overhead_map(package())->labels, map.labels);
 }
 
 TEST_F(MapPackage, IsNotWrittenOverAFolderOfSomethingElse) {
