@@ -16,17 +16,13 @@ namespace {
 
 constexpr std::size_t kMostLogLines = 10'000;
 
-/// Whether a user has asked for a moment to look at, rather than for another time: a click on a mark seeks it to the bit.
-bool goes_to_moment(const Action& action, const OpenRun* run) {
-  if (const auto* const seek = std::get_if<actions::Seek>(&action); seek != nullptr && run) {
-    const auto is_meant = [seek](const auto& one) { return one.time_s == seek->time_s; };
-    return std::any_of(run->moments.begin(), run->moments.end(), is_meant) ||
-           std::any_of(run->bookmarks.begin(), run->bookmarks.end(), is_meant);
-  }
+/// Whether a user has asked for a moment to look at, rather than for another time.
+bool goes_to_moment(const Action& action) {
   if (const auto* const go = std::get_if<actions::GoTo>(&action)) {
     return go->moment != Moment::kStart && go->moment != Moment::kEnd;
   }
-  return std::holds_alternative<actions::GoToDivergence>(action);
+  return std::holds_alternative<actions::GoToMoment>(action) ||
+         std::holds_alternative<actions::GoToDivergence>(action);
 }
 
 /// Whether a user goes to another time by hand.
@@ -99,7 +95,7 @@ Result<void> Session::Implementation::apply(const Action& action) {
   } else {
     settle(before.kept, change_title(action, kept.view), key);
   }
-  if (goes_to_moment(action, active())) {
+  if (goes_to_moment(action)) {
     bring_moment_into_view();
   } else if (keeps_vehicle) {
     keep_vehicle_in_view();

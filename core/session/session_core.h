@@ -117,6 +117,7 @@ struct Session::Implementation : SessionState {
 
   // session_playback.cpp
   Result<void> perform(const actions::Seek& action);
+  Result<void> perform(const actions::GoToMoment& action);
   Result<void> perform(const actions::StepBy& action);
   Result<void> perform(const actions::GoTo& action);
   Result<void> perform(const actions::Play& action);

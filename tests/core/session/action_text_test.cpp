@@ -48,6 +48,7 @@ TEST(ActionText, HasEveryArgument) {
       {CloseRun{2}, "close-run 2"},
       {Seek{12.5}, "seek 12.5"},
       {Seek{1.0 / 3.0}, "seek 0.3333333333333333"},
+      {GoToMoment{12.5}, "moment 12.5"},
       {StepBy{-10}, "step -10"},
       {GoTo{Moment::kPreviousWorst}, "go previous-worst"},
       {Play{Switch::kOn}, "play on"},

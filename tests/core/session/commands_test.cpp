@@ -72,9 +72,9 @@ TEST(SessionCommands, ReachEveryActionThatNeedsNoPointer) {
   }
   // Those are what a pointer does, or a control with a value.
   const std::set<std::string_view> others = {
-      "look",       "place",         "select-particle", "layer-opacity", "layer-colour",
-      "layer-move", "splitter",      "memory",          "strip-move",    "strip-height",
-      "copy",       "bookmark-note", "bookmark-remove"};
+      "look",         "moment",     "place",         "select-particle", "layer-opacity",
+      "layer-colour", "layer-move", "splitter",      "memory",          "strip-move",
+      "strip-height", "copy",       "bookmark-note", "bookmark-remove"};
   for (const ActionHelp& help : action_helps()) {
     EXPECT_NE(reached.contains(help.name), others.contains(help.name)) << help.name;
   }
