@@ -163,10 +163,10 @@ struct Session::Implementation : SessionState {
   void bring_moment_into_view();
   /// Where the vehicle is thought to be at the cursor; nothing where nobody knows, or the map is of another place.
   [[nodiscard]] std::optional<Eigen::Vector2d> vehicle_in_enu_m() const;
-  /// Whether the map shows where the vehicle is thought to be. True where nobody knows.
+  /// Whether where the vehicle is thought to be lies on the map's page, as the window has it. True where nobody knows.
   [[nodiscard]] bool is_vehicle_in_view() const;
-  /// Moves the map, as large as it is, where the vehicle has left it. For time that jumps: who has looked elsewhere before is
-  /// not taken away from there.
+  /// Moves the map, as large as it is, where the vehicle has left it: that comes into the middle of what controls leave. For time
+  /// that jumps: who has looked elsewhere before is not taken away from there.
   void keep_vehicle_in_view();
   /// The map's centre, where nobody minds: no step of the history.
   void move_view_to(const Eigen::Vector2d& centre_in_enu_m);

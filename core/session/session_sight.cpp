@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/session/map_sight.h"
 #include "core/session/session_core.h"
 #include "core/session/shared_ground.h"
 
@@ -281,7 +282,7 @@ bool Session::Implementation::is_vehicle_in_view() const {
   const MapLook look = resolved_look();
   const auto vehicle = vehicle_in_enu_m();
   return look.is_following || !vehicle ||
-         shows_all(look, {*vehicle}, FreeView(look, map_room), map_room);
+         MapPage{look.centre_in_enu_m, look.width_m, look.up_rad, map_room.aspect}.shows(*vehicle);
 }
 
 void Session::Implementation::keep_vehicle_in_view() {

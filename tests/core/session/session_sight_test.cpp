@@ -124,6 +124,24 @@ TEST_F(SessionSightTest, AClickOnAMarkGoesToItsMomentAsTheKeyDoes) {
   EXPECT_FALSE(session_->apply(actions::GoToMoment{NAN}));
 }
 
+TEST_F(SessionSightTest, AVehicleUnderTheLegendIsInSightAndMovesNoMap) {
+  open_run();
+  act("seek 0");
+  const Eigen::Vector2d start = step().estimate.moments.mean.translation_m();
+  session_->set_map_room({1.0, 0.1, 0.0, 0.3, 0.0});
+  act(fmt::format("look {} {} 100", start.x(), start.y() + 45.0));
+  const MapLook before = look();
+  ASSERT_LT(share_at(start, 1.0).y(), 0.1) << "a legend lies over it";
+  act("step 1");
+  EXPECT_EQ(look(), before);
+  // Where it leaves the page, its new place is in the middle of what is free.
+  act(fmt::format("look {} {} 4", start.x(), start.y()));
+  act("go end");
+  const Eigen::Vector2d at = share_at(step().estimate.moments.mean.translation_m(), 1.0);
+  EXPECT_NEAR(at.x(), 0.55, 1e-9);
+  EXPECT_NEAR(at.y(), 0.65, 1e-9);
+}
+
 TEST_F(SessionSightTest, AScrubOverMarksIsNoWishToLookAtThem) {
   open_run();
   act("go end");
