@@ -156,14 +156,16 @@ std::string why_no_run(const Session& session) {
   return run->document ? "" : "the run is still being read";
 }
 
-/// @param is_of_flight  What was opened by itself, whatever run is active.
-std::string why_no_rerun(const Session& session, bool is_of_flight) {
-  const OpenRun* const run = is_of_flight ? nullptr : session.active_run();
+std::string why_no_rerun(const Session& session, RerunFrom from) {
+  if (from == RerunFrom::kCursor) {
+    if (std::string why = why_no_run(session); !why.empty()) return why;
+  }
+  const OpenRun* const run = session.run_to_rerun(from);
   if (run != nullptr && !run->document && !run->is_live) return "the run is still being read";
-  if ((run != nullptr ? session.flight() : session.opened_flight()) == nullptr) {
-    if (run != nullptr) return "the run's flight is not there";
+  if (const auto flight = session.flight_to_rerun(from); !flight) {
+    if (run != nullptr) return flight.error().message;
     if (!session.view().flight_path.empty()) return "the flight is still being read";
-    return is_of_flight ? "open a flight first" : "open a run or a flight first";
+    return from == RerunFrom::kFlight ? "open a flight first" : "open a run or a flight first";
   }
   const OpenMap* const map = session.map();
   if (map == nullptr) return "open a map first";
@@ -193,8 +195,9 @@ std::string why_not(const Command& command, const Session& session) {
   if (name == "dismiss") return session.notices().empty() ? "there is no notice" : "";
   if (name == "go") return why_not_go(rest, session);
   if (name == "rerun") {
-    std::string why = rest == "cursor" ? why_no_run(session) : "";
-    return why.empty() ? why_no_rerun(session, rest == "flight") : why;
+    return why_no_rerun(session, rest == "flight"   ? RerunFrom::kFlight
+                                 : rest == "cursor" ? RerunFrom::kCursor
+                                                    : RerunFrom::kStart);
   }
   if (is_one_of(name, {"run", "show-run", "close-run"})) {
     return session.runs().empty() ? "open a run first" : "";

@@ -69,8 +69,12 @@ class Session {
   [[nodiscard]] const OpenMap* map() const;             ///< Null: none.
   /// Flight of the active run, without a run the one opened by itself; null where it is not there or not read yet.
   [[nodiscard]] std::shared_ptr<const FlightRecording> flight() const;
-  /// The flight that was opened by itself, to be localised; null: none, or not read yet.
-  [[nodiscard]] std::shared_ptr<const FlightRecording> opened_flight() const;
+  /// The run that a rerun goes by, from its flight to its start: until the run that was begun last is seen, one from the start
+  /// goes by that. Null: none, the flight that was opened by itself is localised.
+  [[nodiscard]] const OpenRun* run_to_rerun(RerunFrom from) const;
+  /// The flight that a rerun would localise. @errors kInvalidOptions: it is not there, or not read yet, in a sentence.
+  [[nodiscard]] Result<std::shared_ptr<const FlightRecording>> flight_to_rerun(
+      RerunFrom from) const;
   /// Index of the active run's step at the moment; nothing without a run or before it is read.
   [[nodiscard]] std::optional<std::size_t> step_index() const;
   /// The same with particles and topview; null until it has been decoded.

@@ -23,8 +23,13 @@ const OpenMap* Session::map() const {
 std::shared_ptr<const FlightRecording> Session::flight() const {
   return implementation_->flight_of(implementation_->flight_path());
 }
-std::shared_ptr<const FlightRecording> Session::opened_flight() const {
-  return implementation_->flight_of(implementation_->kept.view.flight_path);
+const OpenRun* Session::run_to_rerun(RerunFrom from) const {
+  return implementation_->run_to_rerun(from);
+}
+Result<std::shared_ptr<const FlightRecording>> Session::flight_to_rerun(RerunFrom from) const {
+  const auto path = implementation_->flight_to_localise(run_to_rerun(from));
+  if (!path) return forward_error(path);
+  return implementation_->flight_of(*path);
 }
 
 std::optional<std::size_t> Session::step_index() const {

@@ -194,6 +194,8 @@ struct Session::Implementation : SessionState {
   /// The run that the next one goes by, from its options to its start: the one that was begun last until it is seen, else the
   /// active one. Null: none.
   [[nodiscard]] const OpenRun* run_to_repeat() const;
+  /// The same for a rerun from somewhere: from the cursor it is the active one, and of the flight opened by itself none.
+  [[nodiscard]] const OpenRun* run_to_rerun(RerunFrom from) const;
   [[nodiscard]] Result<RunOptions> draft_options() const;
   /// The same without the changes, and the preset's name. @errors kInvalidOptions: no such preset, or that run is still being
   /// read; kMalformed: what it recorded is none.
