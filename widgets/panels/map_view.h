@@ -15,6 +15,7 @@
 #include "widgets/panels/map_geometry.h"
 #include "widgets/panels/map_trails.h"
 #include "widgets/panels/surface_picture.h"
+#include "widgets/views/legend.h"
 
 namespace nadir {
 
@@ -77,6 +78,7 @@ struct LegendFit {
   double map_width = 0.0, map_height = 0.0, px_per_pt = 0.0;
   std::size_t count = 0;  ///< Of the entries that are shown; a last one counts the others.
   double width = 0.0, height = 0.0;
+  LegendLayout layout;  ///< Of what is shown.
 };
 
 /// Where the vehicle (the active run's estimate at the cursor) is when it is out of sight.
@@ -108,6 +110,7 @@ struct MapViewState {
 
   RunPathsCache paths;
   LegendFit legend, second_legend;  ///< Of the only or first map, and of the second.
+  LegendFit lasting_legend;         ///< Of the first: lasting_map_legend(), for the room below.
   SeenClasses seen_classes;         ///< Of the active run.
   std::optional<VehicleAway> away;  ///< In this frame, on the only or first map.
   std::string grabbing_pane;        ///< Map whose ground a drag holds; empty: none.
