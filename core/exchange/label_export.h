@@ -7,26 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "core/base/field.h"
 #include "core/base/progress.h"
+#include "core/exchange/label_format.h"
 #include "core/label/label_document.h"
 #include "core/map/overhead_map_file.h"
 
 namespace nadir {
-
-enum class LabelFormat {
-  kMapPackage,   ///< A folder with labels.tif and map.toml (core/map/README.md).
-  kGeoJson,      ///< One file: all objects, in longitude and latitude.
-  kShapefile,    ///< A folder: area.shp, line.shp, outline.shp, on the project plane.
-  kClassImages,  ///< A folder: a black-and-white PNG a class with world file, and scale.toml.
-  kIndexedPng,   ///< A PNG with palette, its world file and what GIS programs read beside it.
-  kCoco,         ///< One JSON file: a region of one class is one annotation.
-};
-template <>
-struct EnumNames<LabelFormat> {
-  static constexpr std::array<std::string_view, 6> kNames = {
-      "package", "geojson", "shapefile", "class-images", "indexed-png", "coco"};
-};
 
 /// The cells of a document's map at another resolution: the same upper left corner, and as many as cover it all.
 /// @param metres_per_cell  > 0; where empty the document's own.

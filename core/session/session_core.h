@@ -14,6 +14,8 @@
 
 namespace nadir {
 
+struct ImportedLabels;
+
 /// All of a session, by what it remembers (session_state.h). Its functions stand in session_*.cpp, by what they are about; perform() does what an action asks for and
 /// may leave things half done where it fails, for apply() then takes everything back.
 struct Session::Implementation : SessionState {
@@ -24,6 +26,8 @@ struct Session::Implementation : SessionState {
 
   // session.cpp
   Result<void> apply(const Action& action);
+  /// The words of an action; of a stroke, whose places come one by one, nothing until it is finished, and then all of it.
+  [[nodiscard]] std::string words_for_log(const Action& action) const;
   [[nodiscard]] Standing standing() const;
   void put_back(Standing before);
   void poll(double elapsed_s);
@@ -152,6 +156,7 @@ struct Session::Implementation : SessionState {
   Result<void> perform(const actions::Fit& action);
   [[nodiscard]] MapLook resolved_look() const;
   [[nodiscard]] MapLook fitted(MapLook look, FitTo to) const;
+  [[nodiscard]] std::vector<Eigen::Vector2d> corners_of_labels() const;
   /// What shows all of a run, or of the map, stays as it is when this run begins, which is small at first.
   [[nodiscard]] std::optional<HeldView> hold_view_for(const std::string& run);
   /// The map fits itself again, unless somebody has moved it since.
@@ -170,6 +175,67 @@ struct Session::Implementation : SessionState {
   void keep_vehicle_in_view();
   /// The map's centre, where nobody minds: no step of the history.
   void move_view_to(const Eigen::Vector2d& centre_in_enu_m);
+
+  // session_labels.cpp
+  Result<void> perform(const actions::OpenLabels& action);
+  Result<void> perform(const actions::CloseLabels& action);
+  Result<void> perform(const actions::SetWorkspace& action);
+  Result<void> perform(const actions::ShowLabelTab& action);
+  Result<void> perform(const actions::ShowBorders& action);
+  Result<void> perform(const actions::SetLabelOption& action);
+  Result<void> perform(const actions::LastClass& action);
+  Result<void> perform(const actions::AddPlace& action);
+  Result<void> perform(const actions::TraceTo& action);
+  Result<void> perform(const actions::TypeLeg& action);
+  Result<void> perform(const actions::FinishTool& action);
+  Result<void> perform(const actions::CancelTool& action);
+  Result<void> perform(const actions::SelectLabels& action);
+  Result<void> perform(const actions::SelectBox& action);
+  /// @errors kInvalidOptions: no labels are open, or not yet.
+  [[nodiscard]] Result<LabelDesk*> need_desk();
+  /// The one that undo is about; null: the view is.
+  [[nodiscard]] LabelDesk* desk_in_front();
+  [[nodiscard]] Result<void> use_tool(const LabelTool& tool);
+  /// Whether the map shows labels of another place than that of map and runs: then it has a sight of its own.
+  [[nodiscard]] bool labels_elsewhere() const;
+  void set_sight(const GroundSight& sight);
+  void reconcile_labels();
+  void take_labels();
+  void poll_labels(double elapsed_s);
+
+  // session_label_edits.cpp
+  Result<void> perform(const actions::GoToLabelStep& action);
+  Result<void> perform(const actions::DrawArea& action);
+  Result<void> perform(const actions::DrawLine& action);
+  Result<void> perform(const actions::DrawOutline& action);
+  Result<void> perform(const actions::DrawStreet& action);
+  Result<void> perform(const actions::CutHole& action);
+  Result<void> perform(const actions::StrokeLabels& action);
+  Result<void> perform(const actions::FillLabels& action);
+  Result<void> perform(const actions::RecodeLabels& action);
+  Result<void> perform(const actions::MoveVertex& action);
+  Result<void> perform(const actions::AddVertex& action);
+  Result<void> perform(const actions::MoveLabels& action);
+  Result<void> perform(const actions::DuplicateLabels& action);
+  Result<void> perform(const actions::CopyBeside& action);
+  Result<void> perform(const actions::EditLabels& action);
+  Result<void> perform(const actions::SetLabel& action);
+  Result<void> perform(const actions::JoinBorders& action);
+  Result<void> perform(const actions::SplitLabels& action);
+  Result<void> perform(const actions::PasteLabels& action);
+  Result<void> draw(ObjectKind kind,
+                    const std::string& class_name,
+                    double width_m,
+                    const PlaceList& through);
+  Result<void> copy_labels(LabelDesk& desk);
+
+  // session_label_files.cpp
+  Result<void> perform(const actions::ExportLabels& action);
+  Result<void> perform(const actions::ImportLabels& action);
+  Result<void> perform(const actions::SaveLabelsCopy& action);
+  void take_import(const std::string& file,
+                   const ImportedLabels& imported,
+                   const std::string& into);
 
   // session_layout.cpp
   Result<void> perform(const actions::ShowPanel& action);
@@ -266,6 +332,9 @@ void take_run_out(ViewState& view, const std::string& path);
 
 /// The command line calls options by dashes, the window does not.
 [[nodiscard]] Error without_dashes(Error error);
+
+/// What a brush or eraser has been drawn along, as one action.
+[[nodiscard]] actions::StrokeLabels stroke_of_hand(const LabelDesk& desk);
 
 /// The absolute path of something that a user names.
 [[nodiscard]] std::string absolute_path(const std::filesystem::path& path);

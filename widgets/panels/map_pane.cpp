@@ -53,8 +53,13 @@ Actions MapPaneView::draw() {
     state_.camera = camera_;
     state_.where = where_;
   }
-  handle_gestures();
-  draw_content();
+  if (model_.labels != nullptr) {
+    handle_label_gestures();
+    draw_label_content();
+  } else {
+    handle_gestures();
+    draw_content();
+  }
   const std::string menu = pane_.is_main ? "Menu" : "Second menu";
   for (Action& action : draw_map_menu(ui_, menu, model_, state_.menu_in_enu_m)) {
     asked_.push_back(std::move(action));
