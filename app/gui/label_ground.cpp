@@ -89,10 +89,10 @@ Result<void> LabelGround::draw(const LabelDesk& desk,
   const Drawn wanted{look, camera, width, height, px_per_pt};
   if (!is_changed && !wants_more_ && drawn_ == wanted) return outcome;
   if (picture_) {
-    picture_->set_visible(look.shows_picture);
+    picture_->set_visible(look.picture_opacity > 0.0);
     picture_->set_opacity(look.picture_opacity);
   }
-  labels_->set_visible(look.shows_labels);
+  labels_->set_visible(look.labels_opacity > 0.0);
   labels_->set_opacity(look.labels_opacity);
   borders_.set_visible(look.shows_borders);
   bool is_complete = true;
@@ -102,8 +102,8 @@ Result<void> LabelGround::draw(const LabelDesk& desk,
     if (!is_all) outcome = forward_error(is_all);
     if (!is_all || !*is_all) is_complete = false;
   };
-  update(picture_.get(), look.shows_picture, kPictureTilesAFrame);
-  update(labels_.get(), look.shows_labels, kLabelTilesAFrame);
+  update(picture_.get(), look.picture_opacity > 0.0, kPictureTilesAFrame);
+  update(labels_.get(), look.labels_opacity > 0.0, kLabelTilesAFrame);
   wants_more_ = !is_complete;
   scene_.set_background(look.background, false);
   scene_.look({camera, 1.0 * width, 1.0 * height, px_per_pt});

@@ -18,7 +18,7 @@ namespace nadir {
 
 /// How what is labelled is shown.
 struct LabelGroundLook {
-  bool shows_picture = true, shows_labels = true, shows_borders = true;
+  bool shows_borders = true;
   double picture_opacity = 1.0, labels_opacity = 1.0;
   Rgba background;
   friend bool operator==(const LabelGroundLook&, const LabelGroundLook&) = default;

@@ -43,13 +43,11 @@ kit::TextureId GuiWindow::draw_label_ground(const MapGround& wanted, const kit::
     label_ground_ = std::make_unique<LabelGround>(*desk, path, tiles_);
     labelled_path_ = path;
   }
-  const MapLook map = session_.resolved_map_look();
+  const LabelView& view = session_.label_view();
   LabelGroundLook look;
-  look.shows_picture = map.layer(Layer::kPicture).is_visible;
-  look.picture_opacity = map.layer(Layer::kPicture).opacity;
-  look.shows_labels = map.layer(Layer::kLabels).is_visible;
-  look.labels_opacity = map.layer(Layer::kLabels).opacity;
-  look.shows_borders = session_.label_view().shows_borders;
+  look.picture_opacity = view.picture_opacity;
+  look.labels_opacity = view.labels_opacity;
+  look.shows_borders = view.shows_borders;
   look.background = ui.theme().window;
   constexpr double kPointPx = 96.0 / 72.0;
   const auto drawn = label_ground_->draw(*desk, look, wanted.camera, whole_pixels(wanted.width_px),

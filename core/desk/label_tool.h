@@ -79,7 +79,7 @@ struct LabelTool {
   double brush_radius_m = 1.0;
   double brush_radius_cells = 10.0;
   bool paints_over = false;  ///< Whether the brush covers what lies above its class.
-  PlainText street_profile{"street"};
+  PlainText street_profile{"residential street"};
   bool snaps = true;
   bool shares_borders = true;  ///< Whether borders that others share move together.
   double simplify_m = 0.1;

@@ -73,6 +73,16 @@ struct ShowBorders {
   friend bool operator==(const ShowBorders&, const ShowBorders&) = default;
 };
 
+struct SetLabelOpacity {
+  static constexpr std::string_view kForm = "label-opacity {labels|picture} SHARE";
+  static constexpr std::string_view kHelp =
+      "How much labels, or the picture below them, cover where labels are drawn, 0 to 1";
+  LabelLayer layer = LabelLayer::kLabels;
+  double share = 1.0;
+  NADIR_ACTION_FIELDS(layer, share)
+  friend bool operator==(const SetLabelOpacity&, const SetLabelOpacity&) = default;
+};
+
 struct SetLabelOption {
   static constexpr std::string_view kForm = "label-option NAME VALUE";
   static constexpr std::string_view kHelp =

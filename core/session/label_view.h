@@ -30,6 +30,13 @@ struct EnumNames<LabelTab> {
                                                              "history", "image"};
 };
 
+/// What lies over each other where labels are drawn.
+enum class LabelLayer { kLabels, kPicture };
+template <>
+struct EnumNames<LabelLayer> {
+  static constexpr std::array<std::string_view, 2> kNames = {"labels", "picture"};
+};
+
 /// Which part of the ground a map shows.
 struct GroundSight {
   Eigen::Vector2d centre_in_enu_m = Eigen::Vector2d::Zero();
@@ -47,8 +54,9 @@ struct LabelView {
   std::string path;  ///< What was named: map package, image or labelling document; empty: none.
   LabelTool tool;
   LabelTab tab = LabelTab::kObjects;
+  double labels_opacity = 0.6, picture_opacity = 1.0;  ///< In [0, 1].
   bool shows_borders = true;  ///< Of all objects, not only of those that are selected.
-  GroundSight elsewhere;         ///< What the other workspace shows, where it is of another place.
+  GroundSight elsewhere;      ///< What the other workspace shows, where it is of another place.
   friend bool operator==(const LabelView&, const LabelView&) = default;
 };
 

@@ -182,6 +182,7 @@ struct Session::Implementation : SessionState {
   Result<void> perform(const actions::SetWorkspace& action);
   Result<void> perform(const actions::ShowLabelTab& action);
   Result<void> perform(const actions::ShowBorders& action);
+  Result<void> perform(const actions::SetLabelOpacity& action);
   Result<void> perform(const actions::SetLabelOption& action);
   Result<void> perform(const actions::LastClass& action);
   Result<void> perform(const actions::AddPlace& action);

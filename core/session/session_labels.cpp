@@ -103,6 +103,15 @@ Result<void> Session::Implementation::perform(const actions::ShowBorders& action
   return {};
 }
 
+Result<void> Session::Implementation::perform(const actions::SetLabelOpacity& action) {
+  if (!(action.share >= 0.0 && action.share <= 1.0)) {
+    return fail(ErrorCode::kInvalidOptions, "an opacity of {:g} is not in [0, 1]", action.share);
+  }
+  (action.layer == LabelLayer::kLabels ? label.labels_opacity : label.picture_opacity) =
+      action.share;
+  return {};
+}
+
 Result<void> Session::Implementation::use_tool(const LabelTool& tool) {
   if (labels && labels->desk) {
     if (auto set = labels->desk->set_tool(tool); !set) return set;

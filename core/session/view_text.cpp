@@ -90,6 +90,8 @@ std::string label_lines(const LabelView& label) {
                      toml_line("workspace", enum_name(label.workspace)) +
                      toml_line("tab", enum_name(label.tab)) +
                      toml_line("borders", label.shows_borders) +
+                     toml_line("labels_opacity", label.labels_opacity) +
+                     toml_line("picture_opacity", label.picture_opacity) +
                      toml_line("centre", label.elsewhere.centre_in_enu_m) +
                      toml_line("width_m", label.elsewhere.width_m) + "\n[label.tool]\n";
   for (const OptionText& option : option_texts(label.tool)) {
@@ -103,6 +105,10 @@ void take_label(SettingsValues& values, LabelView& into) {
   values.take("workspace", into.workspace);
   values.take("tab", into.tab);
   values.take("borders", into.shows_borders);
+  values.take("labels_opacity", into.labels_opacity);
+  values.take("picture_opacity", into.picture_opacity);
+  into.labels_opacity = std::clamp(into.labels_opacity, 0.0, 1.0);
+  into.picture_opacity = std::clamp(into.picture_opacity, 0.0, 1.0);
   values.take("centre", into.elsewhere.centre_in_enu_m);
   values.take("width_m", into.elsewhere.width_m);
   if (into.path.empty()) into.workspace = Workspace::kReplay;

@@ -7,7 +7,7 @@
 
 #include "core/desk/label_desk.h"
 #include "widgets/panels/label_side_panel.h"
-#include "widgets/panels/label_tools_panel.h"
+#include "widgets/panels/map_geometry.h"
 #include "widgets/panels/shortcut_hint.h"
 
 namespace nadir {

@@ -9,8 +9,8 @@
 #include "core/desk/label_desk.h"
 #include "core/session/place_text.h"
 #include "widgets/panels/empty_state.h"
-#include "widgets/panels/label_tools_panel.h"
 #include "widgets/panels/panel_text.h"
+#include "widgets/views/theme.h"
 
 namespace nadir {
 namespace {

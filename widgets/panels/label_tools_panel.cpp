@@ -10,8 +10,10 @@
 #include "core/desk/label_desk.h"
 #include "widgets/panels/empty_state.h"
 #include "widgets/panels/label_tool_options.h"
+#include "widgets/panels/map_geometry.h"
 #include "widgets/panels/panel_text.h"
 #include "widgets/panels/shortcut_hint.h"
+#include "widgets/views/theme.h"
 
 namespace nadir {
 namespace {
@@ -100,7 +102,8 @@ void draw_classes(kit::Ui& ui, const LabelToolsModel& model, Actions& asked) {
     row.detail = share.area_m2 > 0.0 ? area_text(share.area_m2) : "";
     row.is_detail_number = true;
     row.hint = hint;
-    const std::string key = hint.shortcut.empty() ? "" : hint.shortcut + "  ";
+    // Longer ones are in the tooltip, so that the names stand below each other.
+    const std::string key = hint.shortcut.size() == 1 ? hint.shortcut + "  " : "";
     if (ui.list_row(label_of(key + name, name), row)) asked.push_back(wish);
   };
   for (ClassId id = 0; id < kClassCount; ++id) {
@@ -112,21 +115,21 @@ void draw_classes(kit::Ui& ui, const LabelToolsModel& model, Actions& asked) {
 void draw_layers(kit::Ui& ui, const LabelToolsModel& model, Actions& asked) {
   const auto section = ui.section("Layers");
   if (!section) return;
-  const auto draw_opacity = [&](const char* title, Layer layer, double opacity) {
+  const auto draw_opacity = [&](const char* title, LabelLayer layer, double opacity) {
     kit::NumberOptions options;
     options.least = 0.0;
     options.most = kLayerPercent;
     options.decimals = 0;
     options.unit = "%";
-    options.reset = layer == Layer::kLabels ? 60.0 : kLayerPercent;
+    options.reset = layer == LabelLayer::kLabels ? 60.0 : kLayerPercent;
     options.hint = {std::string("How much ") + title + " covers what lies below", ""};
     const auto edit = ui.slider(title, kLayerPercent * opacity, options);
     if (edit.is_changed || edit.was_committed) {
-      asked.emplace_back(actions::SetLayerOpacity{layer, edit.value / kLayerPercent});
+      asked.emplace_back(actions::SetLabelOpacity{layer, edit.value / kLayerPercent});
     }
   };
-  draw_opacity("labels", Layer::kLabels, model.labels_opacity);
-  draw_opacity("picture", Layer::kPicture, model.picture_opacity);
+  draw_opacity("labels", LabelLayer::kLabels, model.view.labels_opacity);
+  draw_opacity("picture", LabelLayer::kPicture, model.view.picture_opacity);
   const Action borders = actions::ShowBorders{Switch::kToggle};
   if (const auto on = ui.checkbox("borders of all objects", model.view.shows_borders,
                                   hint_for("Draw the border of every object", borders))) {
@@ -136,25 +139,10 @@ void draw_layers(kit::Ui& ui, const LabelToolsModel& model, Actions& asked) {
 
 }  // namespace
 
-std::string area_text(double area_m2) {
-  constexpr double kHectare = 1e4;
-  if (area_m2 >= 10.0 * kHectare) return fmt::format("{:.1f} ha", area_m2 / kHectare);
-  if (area_m2 >= 100.0) return fmt::format("{:.0f} m²", area_m2);
-  return fmt::format("{:.1f} m²", area_m2);
-}
-
-Rgba class_colour(ClassId id) {
-  if (id >= kClassCount) return {120, 120, 120, 255};
-  const auto& colour = class_info(id).colour;
-  return {colour.red, colour.green, colour.blue, 255};
-}
-
 LabelToolsModel label_tools_model(const Session& session) {
   LabelToolsModel model;
   model.view = session.label_view();
   model.name = name_of(model.view.path);
-  model.labels_opacity = session.view().map.layer(Layer::kLabels).opacity;
-  model.picture_opacity = session.view().map.layer(Layer::kPicture).opacity;
   const LabelDesk* const desk = session.label_desk();
   if (desk == nullptr) return model;
   const LabelSheet& sheet = desk->sheet();

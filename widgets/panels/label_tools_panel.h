@@ -19,7 +19,6 @@ struct LabelToolsModel {
   std::string why_read_only;  ///< Empty: it can be drawn on.
   bool is_open = false;       ///< False: it is still being opened.
   bool is_on_disk = false;
-  double labels_opacity = 1.0, picture_opacity = 1.0;
   double metres_per_cell = 0.1;
   std::vector<std::string> profiles;  ///< Names of street profiles.
   struct ClassShare {
@@ -33,10 +32,5 @@ struct LabelToolsModel {
 
 /// In a scroll area of the left column.
 [[nodiscard]] Actions draw_label_tools(kit::Ui& ui, const LabelToolsModel& model);
-
-/// "1,234 m²", "3.2 ha".
-[[nodiscard]] std::string area_text(double area_m2);
-/// The colour of a class as the map has it; of what has none a neutral grey.
-[[nodiscard]] Rgba class_colour(ClassId id);
 
 }  // namespace nadir

@@ -63,7 +63,7 @@ Actions draw_map_view(kit::Ui& ui, const MapViewModel& model, MapViewState& stat
     join(draw_vehicle_plate(ui, *state.away, page));
   }
   join(draw_map_cards(ui, model, room));
-  join(draw_map_note(ui, map_note(model), room));
+  if (model.labels == nullptr) join(draw_map_note(ui, map_note(model), room));
   if (model.work) join(draw_work_card(ui, *model.work, room));
   if (model.takes_keys && model.labels == nullptr && ui.is_pressed("Escape")) {
     if (auto wish = escape_wish(model)) asked.push_back(std::move(*wish));

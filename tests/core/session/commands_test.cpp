@@ -73,37 +73,14 @@ TEST(SessionCommands, ReachEveryActionThatNeedsNoPointer) {
     reached.insert(command.text.substr(0, command.text.find(' ')));
   }
   // Those are what a pointer does, or a control with a value.
-  const std::set<std::string_view> others = {"look",
-                                              "moment",
-                                             "place",
-                                             "select-particle",
-                                             "layer-opacity",
-                                             "layer-colour",
-                                             "layer-move",
-                                             "splitter",
-                                             "memory",
-                                             "strip-move",
-                                             "strip-height",
-                                             "copy",
-                                             "bookmark-note",
-                                             "bookmark-remove",
-                                             "label-tab",
-                                             "point",
-                                             "trace",
-                                             "draw-area",
-                                             "draw-line",
-                                             "draw-outline",
-                                             "draw-street",
-                                             "cut-hole",
-                                             "stroke",
-                                             "fill",
-                                             "recode",
-                                             "select-labels",
-                                             "select-box",
-                                             "move-vertex",
-                                             "add-vertex",
-                                             "move-labels",
-                                             "split-labels"};
+  const std::set<std::string_view> others = {
+      "look",          "moment",        "place",         "select-particle", "layer-opacity",
+      "layer-colour",  "layer-move",    "splitter",      "memory",          "strip-move",
+      "strip-height",  "copy",          "bookmark-note", "bookmark-remove", "label-tab",
+      "label-opacity", "point",         "trace",         "draw-area",       "draw-line",
+      "draw-outline",  "draw-street",   "cut-hole",      "stroke",          "fill",
+      "recode",        "select-labels", "select-box",    "move-vertex",     "add-vertex",
+      "move-labels",   "split-labels"};
   for (const ActionHelp& help : action_helps()) {
     EXPECT_NE(reached.contains(help.name), others.contains(help.name)) << help.name;
   }
