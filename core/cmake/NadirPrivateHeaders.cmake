@@ -7,9 +7,11 @@ set(NADIR_PRIVATE_HEADERS
   core/base/zstd.h
   core/desk/file_stamp.h
   core/edit/border_chains.h
+  core/edit/box_tree.h
   core/edit/edge_tree.h
   core/edit/edit_builder.h
   core/edit/geos_geometry.h
+  core/edit/near_places.h
   core/eval/report_keys.h
   core/exchange/export_writers.h
   core/exchange/object_maker.h

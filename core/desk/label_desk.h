@@ -140,6 +140,7 @@ class LabelDesk {
                                                  double reach_m) const;
   /// What a drag would leave, for the eye only; empty where it cannot be.
   [[nodiscard]] std::vector<LabelObject> coming_move(const Eigen::Vector2d& by_m) const;
+  [[nodiscard]] std::vector<LabelObject> coming_picked(const Eigen::Vector2d& by_m) const;
   [[nodiscard]] std::vector<LabelObject> coming_vertex(const VertexRef& vertex,
                                                        const Eigen::Vector2d& to) const;
 
@@ -147,6 +148,7 @@ class LabelDesk {
   explicit LabelDesk(LabelSheet sheet) : sheet_(std::move(sheet)) {}
   enum class Chooses { kWhatWasMade, kAsBefore };
   [[nodiscard]] Result<void> take(const Result<LabelEdit>& edit, Chooses chooses);
+  [[nodiscard]] Result<void> take_picked_along(const Result<LabelEdit>& edit);
   [[nodiscard]] Result<void> needs_selection() const;
   void follow_document();
   [[nodiscard]] SharedBorders shared() const;
