@@ -37,12 +37,12 @@ Ring circle_of(const Ring& places) {
   return circle(places[0], (places[1] - places[0]).norm(), kCirclePlaces);
 }
 
-/// On which borders a place lies: an edge is told by both of its ends.
+/// On which borders a place lies now: what it snapped to may have changed since, and neighbours share it.
 std::vector<VertexRef> borders_at(const ToolPoint& point, const SnapIndex& index) {
   std::vector<VertexRef> borders;
   if (!point.snap) return borders;
-  if (point.snap->kind == SnapKind::kVertex) borders = index.at(point.snap->in_enu_m);
-  if (point.snap->kind == SnapKind::kEdge) borders.push_back(point.snap->at);
+  if (point.snap->kind == SnapKind::kVertex) borders = index.at(point.in_enu_m);
+  if (point.snap->kind == SnapKind::kEdge) borders = index.edges_at(point.in_enu_m);
   if (borders.size() > kMostBorderCandidates) borders.resize(kMostBorderCandidates);
   return borders;
 }

@@ -252,6 +252,29 @@ TEST_F(ToolAtWork, TracesAlongABorderSoThatItIsShared) {
   EXPECT_THAT(error_text(desk.add_traced({90.0, -80.0}, 0.5, false)), HasSubstr("no border"));
 }
 
+TEST_F(ToolAtWork, TracesFromWhereAPlaceLiesAlsoAfterTheBorderHasChanged) {
+  const ObjectId house = drawn_box(10, 10, 50, 50);
+  const ObjectId beside = drawn_box(50, 10, 80, 50, kTerrain);
+  LabelTool tool = desk.tool();
+  tool.kind = ToolKind::kLine;
+  ASSERT_THAT(desk.set_tool(tool), Succeeds());
+  ASSERT_THAT(desk.add_point({30.0, -50.0}, 0.5), Succeeds());
+  ASSERT_EQ(desk.points().all()[0].snap->kind, SnapKind::kEdge);
+  // Two more places before the edge, whose number changes.
+  ASSERT_THAT(desk.add_vertex({house, 0, 0}, {20.0, -10.0}), Succeeds());
+  ASSERT_THAT(desk.add_vertex({house, 0, 0}, {15.0, -10.0}), Succeeds());
+  ASSERT_THAT(desk.add_traced({50.0, -30.0}, 0.5, false), Succeeds());
+  EXPECT_EQ(desk.points().ring(), ring({{30, 50}, {50, 50}, {50, 30}}));
+  // What it lies on may be gone altogether; the neighbour's border is as good.
+  ASSERT_THAT(desk.select(std::vector<ObjectId>{house}, SelectHow::kInstead), Succeeds());
+  ASSERT_THAT(desk.delete_selected(), Succeeds());
+  ASSERT_THAT(desk.add_traced({60.0, -10.0}, 0.5, false), Succeeds());
+  EXPECT_EQ(desk.points().ring(), ring({{30, 50}, {50, 50}, {50, 30}, {50, 10}, {60, 10}}));
+  ASSERT_THAT(desk.select(std::vector<ObjectId>{beside}, SelectHow::kInstead), Succeeds());
+  ASSERT_THAT(desk.delete_selected(), Succeeds());
+  EXPECT_FALSE(desk.add_traced({50.0, -30.0}, 0.5, false));
+}
+
 TEST_F(ToolAtWork, WhatComesIsWhatFinishingDraws) {
   for (const ToolKind kind : {ToolKind::kArea, ToolKind::kLine, ToolKind::kOutline,
                               ToolKind::kRectangle, ToolKind::kCircle}) {
