@@ -80,12 +80,22 @@ void EditBuilder::replace(ObjectId id, std::vector<std::vector<Ring>> pieces) {
     return;
   }
   const LabelObject object = *now(id);
+  const auto of_piece = whole_of_.find(id);
+  const ObjectId whole = of_piece != whole_of_.end() ? of_piece->second : id;
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     LabelObject piece = object;
     piece.rings = std::move(pieces[i]);
-    add(std::move(piece));
+    const ObjectId added = add(std::move(piece));
+    whole_of_[added] = whole;
+    cut_off_[whole].push_back(added);
   }
   change(id).rings = std::move(pieces.front());
+}
+
+std::span<const ObjectId> EditBuilder::cut_off(ObjectId id) const {
+  const auto found = cut_off_.find(id);
+  if (found == cut_off_.end()) return {};
+  return found->second;
 }
 
 std::vector<Eigen::Vector2d> EditBuilder::new_places() const {

@@ -125,6 +125,7 @@ TEST_F(SelectionAtWork, CommandsAreOneStepEachAndUndoGivesBackWhatWas) {
   ASSERT_THAT(desk.draw({ObjectKind::kLine, kCurb, 0.5}, ring({{30, 30}, {50, 31}, {70, 30}})),
               Succeeds());
   const ObjectId two = desk.selection().ids().front();
+  drawn_box(40, 40, 60, 60, kBuilding);
   const std::vector<ObjectId> both{one, two};
   const std::vector<std::function<Result<void>()>> commands{
       [&] {
