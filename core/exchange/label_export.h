@@ -21,7 +21,7 @@ namespace nadir {
 
 /// Writes a document as others read it, aside and renamed when it is whole. Rasters are made by strips, so that memory does
 /// not grow with the map. Where paint goes into a file of vectors it becomes areas.
-/// @param grid  Of rasters; vectors do not ask.
+/// @param grid  Of rasters; vectors do not ask. @param picture  The image below the labels, which COCO names; empty: none.
 /// @errors kIo: cannot be written, or something else stands there (see write_labels_of_map()); kUnsupported: COCO of more
 /// than 100 million cells; kCancelled.
 [[nodiscard]] Result<void> export_labels(const LabelDocument& document,
@@ -29,7 +29,8 @@ namespace nadir {
                                          const MapProvenance& provenance,
                                          LabelFormat format,
                                          const std::filesystem::path& target,
-                                         const WorkContext& context = {});
+                                         const WorkContext& context = {},
+                                         const std::filesystem::path& picture = {});
 
 /// What a class covers.
 struct ClassArea {

@@ -98,6 +98,25 @@ TEST(LabelDeskOpen, AnImageGetsItsLabelsBesideItOnItsOwnCells) {
   EXPECT_TRUE(fs::exists(scratch.path() / "from above.labels.gpkg"));
 }
 
+TEST(LabelDeskOpen, LabelsNamedAloneFindTheImageBesideThem) {
+  const ScratchFolder scratch;
+  const fs::path package = half_a_road(scratch.path(), true);
+  const fs::path labels = scratch.path() / "from.above.labels.gpkg";
+  const fs::path plain = scratch.path() / "from.above.gpkg";
+  for (const fs::path& path : {labels, plain}) {
+    ASSERT_TRUE(LabelStore::create(path, test_plane(), test_grid(300, 200), "ada"));
+  }
+  EXPECT_EQ(find_label_place(labels)->image, "");
+  for (const char* const ending : {".mbtiles", ".jpeg", ".JPG", ".png", ".tif"}) {
+    const fs::path image = scratch.file(std::string("from.above") + ending, "");
+    EXPECT_EQ(find_label_place(labels)->image, image) << "before those of lesser formats";
+  }
+  EXPECT_EQ(find_label_place(plain)->image, "") << "is the document of nothing";
+  fs::copy_file(package / "image.tif", scratch.path() / "from.above.tif",
+                fs::copy_options::overwrite_existing);
+  EXPECT_EQ(opened_desk(labels).sheet().image(), scratch.path() / "from.above.tif");
+}
+
 TEST(LabelDeskOpen, AnImageInAnotherReferenceSystemLiesOnAPlaneOfItsOwn) {
   const ScratchFolder scratch;
   RasterFile file{.ids = patchwork(60, 45), .crs = "EPSG:32617"};
