@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include "core/desk/label_coverage.h"
 #include "core/desk/label_desk.h"
 #include "tests/core/desk/desk_at_work.h"
 #include "tests/widgets/panels/asked.h"
