@@ -190,6 +190,14 @@ int run_map_export(const MapExportArguments& given, std::ostream& out, std::ostr
                                           "another file",
                                           given.out)});
   }
+  // Of another map, say: nobody means to have an afternoon's work replaced by a picture of it.
+  if (std::error_code error;
+      fs::path(given.out).extension() == ".gpkg" && fs::exists(given.out, error)) {
+    return report_error(err, {ErrorCode::kInvalidOptions,
+                              fmt::format("{}: is a GeoPackage, which no export replaces; --out "
+                                          "must name another file",
+                                          given.out)});
+  }
   const auto provenance = provenance_of(given, path);
   if (!provenance) return report_error(err, provenance.error());
   if (!given.is_quiet) {
