@@ -37,6 +37,24 @@ TEST(LabelDeskOpen, LookingAtAPackageWritesNothing) {
   EXPECT_FALSE(fs::exists(package / "labels.gpkg"));
 }
 
+TEST(LabelDeskOpen, TheWayToAStepShowsWhatWasWithoutGoingThere) {
+  const ScratchFolder scratch;
+  LabelDesk desk = opened_desk(half_a_road(scratch.path()));
+  const LabelSheet& sheet = desk.sheet();
+  EXPECT_TRUE(sheet.way(sheet.now(), 0, 0)->empty()) << "there is no file yet";
+  EXPECT_FALSE(sheet.way(sheet.now(), 0, 1));
+  const LabelDocument first = sheet.now();
+  ASSERT_THAT(desk.stroke({{250.5, -50.5}}, 3.0, kTerrain), Succeeds());
+  const LabelDocument second = sheet.now();
+  const auto way = sheet.way(second, 2, 1);
+  ASSERT_TRUE(way) << error_text(way);
+  LabelDocument shown = second;
+  for (const LabelEdit& edit : *way) shown.apply(edit);
+  EXPECT_TRUE(shown == first);
+  EXPECT_EQ(sheet.step(), 2);
+  EXPECT_TRUE(sheet.now() == second);
+}
+
 TEST(LabelDeskOpen, TheFirstEditMakesTheFileAndTakesTheLabelsOver) {
   const ScratchFolder scratch;
   const fs::path package = half_a_road(scratch.path());
