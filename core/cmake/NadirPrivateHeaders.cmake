@@ -1,6 +1,7 @@
 # Headers that only sources of core include: they are not installed, and no header that is installed includes one.
 # tests/architecture/check_includes.cmake checks that, and that everything in nadir::detail is listed.
 set(NADIR_PRIVATE_HEADERS
+  core/assist/joined_pieces.h
   core/base/bystanders.h
   core/base/durability.h
   core/base/sqlite_database.h
