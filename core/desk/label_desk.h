@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/desk/image_tool.h"
 #include "core/desk/label_selection.h"
 #include "core/desk/label_sheet.h"
 #include "core/desk/tool_points.h"
@@ -80,6 +81,16 @@ class LabelDesk {
   [[nodiscard]] Result<void> finish();
   /// Drops the places, or else the selection, or else goes back to selecting. @returns whether there was anything.
   bool cancel();
+
+  // Tools that look at the image (label_desk_image.cpp), which the caller has opened on the sheet's plane.
+  /// To be called with the hand's place before such a tool is used, and as it moves; reads only where it must. Does nothing for
+  /// other tools. @errors as ImageTool::look().
+  [[nodiscard]] Result<void> look_at_image(const OverheadTiles& image,
+                                           const Eigen::Vector2d& hand_in_enu_m);
+  void look_away() { image_tool_.look_away(); }  ///< For another image.
+  /// Of wand, superpixels and GrabCut: one stroke more. finish() makes the edit of what they have found.
+  [[nodiscard]] Result<void> tell_image(const ImageStroke& stroke);
+  [[nodiscard]] const ImageTool& image_tool() const { return image_tool_; }
 
   // What is selected (label_desk_select.cpp).
   [[nodiscard]] const LabelSelection& selection() const { return selection_; }
@@ -154,11 +165,15 @@ class LabelDesk {
   [[nodiscard]] SharedBorders shared() const;
   [[nodiscard]] Result<void> finish_ring(const Ring& places);
   [[nodiscard]] Result<const StreetProfile*> profile() const;
+  [[nodiscard]] Result<void> add_scissored(const Eigen::Vector2d& hand_in_enu_m, double reach_m);
+  [[nodiscard]] Ring coming_line(const ToolPoint& next) const;
+  [[nodiscard]] Result<void> finish_found();
   [[nodiscard]] std::optional<ObjectId> object_for_hole(const Ring& hole) const;
 
   LabelSheet sheet_;
   LabelTool tool_;
   ToolPoints points_;
+  ImageTool image_tool_;
   std::vector<StreetProfile> profiles_;
   LabelSelection selection_;
   std::vector<PickedVertex> picked_;
