@@ -27,6 +27,7 @@ set(NADIR_PRIVATE_HEADERS
   core/flight/kitti_raw_text.h
   core/flight/text_fields.h
   core/geo/number_lines.h
+  core/insight/view_matcher.h
   core/label/byte_reader.h
   core/label/cell_fill.h
   core/label/label_blobs.h
