@@ -74,6 +74,6 @@ forbid(core/flight "core/(label|edit|exchange|quality|assist|desk|segment|mcl|si
 forbid(core/sim "core/(label|edit|exchange|quality|assist|desk|segment|mcl|eval|run|insight|session)/")
 forbid(core/eval "core/(map|label|edit|exchange|quality|assist|desk|segment|topview|mcl|flight|sim|run|insight|session)/")
 forbid(core/run "core/(label|edit|exchange|quality|assist|desk|insight|session)/")
-forbid(core/insight "core/(desk|session)/")
+forbid(core/insight "core/(edit|exchange|quality|assist|desk|segment|sim|session)/")
 forbid_in_headers(core "pcl/|opencv2/|gdal|ogr|toml|nlohmann|sqlite3|zstd|tbb/|oneapi/|CLI/")
 check_private_headers()
