@@ -235,7 +235,9 @@ Result<void> run_script_line(const ScriptLine& line, ScriptStage& stage) {
     return done;
   }
   if (line.words.size() < form->least || line.words.size() > form->most) {
-    return fail(ErrorCode::kInvalidOptions, "the form is: {}", form->form);
+    const bool is_too_long = line.words.size() > form->most;
+    return fail(ErrorCode::kInvalidOptions, "the form is: {}{}", form->form,
+                is_too_long ? "; what has blanks goes in \"double quotes\"" : "");
   }
   try {
     return do_own(line, stage);
