@@ -196,7 +196,7 @@ Result<LabelEdit> fix(const LabelDocument& document,
       return finding.objects.size() > 1 ? ends_joined(document, finding)
                                         : closed(document, finding);
     case FindingKind::kOverlap:
-      return subtract(document, finding.objects[0], finding.objects[1]);
+      return subtract(document, finding.objects[0], std::span(finding.objects).subspan(1, 1));
     case FindingKind::kGap:
     case FindingKind::kIsland:
       return painted(document, grid, finding, settings);

@@ -180,8 +180,7 @@ struct DuplicateLabels {
 struct CopyBeside {
   static constexpr std::string_view kForm = "copy-beside METRES";
   static constexpr std::string_view kHelp =
-      "A parallel of what is selected: to the left of a line, around an area; negative: to the "
-      "right, inside";
+      "A parallel: left of a line, around an area; negative: to the right, inside";
   double by_m = 1.0;
   NADIR_ACTION_FIELDS(by_m)
   friend bool operator==(const CopyBeside&, const CopyBeside&) = default;
