@@ -235,9 +235,7 @@ Result<void> run_script_line(const ScriptLine& line, ScriptStage& stage) {
     return done;
   }
   if (line.words.size() < form->least || line.words.size() > form->most) {
-    const bool is_too_long = line.words.size() > form->most;
-    return fail(ErrorCode::kInvalidOptions, "the form is: {}{}", form->form,
-                is_too_long ? "; what has blanks goes in \"double quotes\"" : "");
+    return fail(ErrorCode::kInvalidOptions, "the form is: {}", form->form);
   }
   try {
     return do_own(line, stage);

@@ -200,7 +200,7 @@ void draw_rerun(kit::Ui& ui, const SettingsModel& model, Actions& asked) {
   for (const JobStatus& job : model.running) {
     ui.cut_text(job.title);
     const std::string words = job.left_s ? left_text(*job.left_s) : job.activity;
-    if (ui.progress(fmt::format("##Job {}", job.number), job.fraction, words)) {
+    if (ui.progress(fmt::format("Job {}", job.number), job.fraction, words)) {
       asked.emplace_back(actions::CancelJob{job.number});
     }
   }

@@ -92,7 +92,6 @@ void draw_more(TimelineFrame& frame) {
     item.shortcut = hint_for(title, action).shortcut;
     if (ui.menu_item(title, item)) frame.actions.push_back(action);
   };
-  line("The worst moment", kit::Icon::kClock, actions::GoTo{Moment::kWorst});
   line("Previous worst moment", kit::Icon::kCaretLeft, actions::GoTo{Moment::kPreviousWorst});
   line("Next worst moment", kit::Icon::kCaretRight, actions::GoTo{Moment::kNextWorst});
   line("Bookmark this moment", kit::Icon::kBookmark, actions::ShowOverlay{Overlay::kBookmark});
@@ -139,7 +138,7 @@ void draw_transport(TimelineFrame& frame) {
 
   constexpr double kButton = 28.0;
   const std::string worst = "worst";
-  const double words = std::ceil(ui.text_width(worst)) + ui.px(24.0) + 2.0 * gap;
+  const double words = ui.text_width(worst, kit::TextLook::kMuted) + 2.0 * gap;
   const double wanted = 4.0 * ui.px(kButton) + words + gap + ui.px(8.0);
   ui.same_line();
   if (ui.room().width < wanted) {
@@ -151,10 +150,7 @@ void draw_transport(TimelineFrame& frame) {
                 "To the previous worst moment: the marks on the ruler",
                 actions::GoTo{Moment::kPreviousWorst});
   ui.same_line(gap);
-  if (ui.button(worst, kit::ButtonLook::kQuiet,
-                hint_for("Go to the worst moment of all", actions::GoTo{Moment::kWorst}))) {
-    frame.actions.push_back(actions::GoTo{Moment::kWorst});
-  }
+  ui.text(worst, kit::TextLook::kMuted);
   ui.same_line(gap);
   action_button(frame, "Next worst moment", kit::Icon::kCaretRight,
                 "To the next worst moment: the marks on the ruler",

@@ -104,7 +104,7 @@ void draw_choice_words(kit::Ui& ui,
   // What has been chosen stands where it was offered.
   asked = model.work ? draw_work(ui, *model.work) : draw_demo_choice(ui, model);
   ui.next_column();
-  draw_choice_words(ui, kit::Icon::kFolderOpen, "Open your own",
+  draw_choice_words(ui, kit::Icon::kFolderOpen, "Look at a flight of yours",
                     "A recorded run, a map, a flight recording, a figure or its recipe.");
   if (ui.button("Open files…", kit::ButtonLook::kNormal,
                 open_hint("Open a run, a map, a flight, a recipe or a figure"),

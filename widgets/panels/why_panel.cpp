@@ -17,8 +17,6 @@ namespace {
 
 constexpr double kModeWidthM = 60.0;  ///< Of ground that a jump to a mode shows.
 
-constexpr double kBetweenParagraphs = 4.0;  // of the design
-
 std::string cost_text(const std::optional<double>& cost) {
   return cost ? fmt::format("{:.4f}", *cost) : "not known";
 }
@@ -175,10 +173,8 @@ Actions draw_why_panel(kit::Ui& ui, const WhyModel& model, WhyState& state) {
     ui.hint({std::string(moment_kind_look(model.mark->kind).meaning), "", "",
              severity_words(*model.mark)});
   }
-  ui.space(ui.px(kBetweenParagraphs));
   ui.wrapped(answer.words);
   if (!answer.hold_words.empty()) {
-    ui.space(ui.px(kBetweenParagraphs));
     ui.wrapped(answer.hold_words);
     ui.hint(
         {"How far the estimate could be moved, with its heading, while the mean cost stays "

@@ -3,8 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
-
 #include "tests/widgets/panels/shown_map.h"
 
 namespace nadir {
@@ -149,29 +147,6 @@ TEST_F(MapView, TheRoomOfAFittedMapRestsWhileTheRunPlays) {
   model.step.reset();
   show();
   EXPECT_EQ(state.room, room) << "a step that is not decoded yet";
-}
-
-TEST_F(MapView, TheLegendGivesWayToACardThatHasRoomNowhereElse) {
-  model.look.layer(Layer::kLegend).is_visible = true;
-  model.look.measured_in_enu_m = {{0.0, 0.0}, {3.0, 4.0}, {9.0, 1.0}};
-  model.selected_particle = 0;
-  const auto legend_is_covered = [this] {
-    return std::any_of(state.cards.begin(), state.cards.end(), [this](const kit::Rect& card) {
-      return card.bottom() > screen.at(kGround).rect.bottom() - state.legend_height_px;
-    });
-  };
-  show();
-  EXPECT_FALSE(legend_is_covered()) << "in a map of usual size";
-  const double high = state.room.bottom;
-  screen.input().size_px = {400.0, 320.0};
-  show();
-  show();
-  EXPECT_TRUE(legend_is_covered());
-  EXPECT_GT(state.legend_height_px, 0.0) << "its place is known, so that cards rest";
-  EXPECT_GT(state.room.bottom, high) << "and the map's room is as if it were there";
-  const std::vector<kit::Rect> before = state.cards;
-  show();
-  EXPECT_EQ(state.cards, before);
 }
 
 TEST_F(MapView, WithoutAnythingOpenItOffersTheDemo) {

@@ -32,8 +32,6 @@ TEST(Timeline, TransportAsksForItsActions) {
   EXPECT_THAT(click("Last"), ElementsAre(Action(actions::GoTo{Moment::kEnd})));
   EXPECT_THAT(click("Previous worst moment"),
               ElementsAre(Action(actions::GoTo{Moment::kPreviousWorst})));
-  EXPECT_THAT(click("worst"), ElementsAre(Action(actions::GoTo{Moment::kWorst})));
-  EXPECT_THAT(shown.screen.at("Timeline/worst").tooltip, HasSubstr("W"));
   EXPECT_THAT(click("Next worst moment"), ElementsAre(Action(actions::GoTo{Moment::kNextWorst})));
   EXPECT_THAT(click("Bookmark"), ElementsAre(Action(actions::ShowOverlay{Overlay::kBookmark})));
 }
@@ -143,8 +141,6 @@ TEST(Timeline, KeepsWhatItsLineHasNoRoomForInAMenu) {
             shown.screen.at("Timeline/##Time").rect.right());
   EXPECT_THAT(shown.screen.click("Timeline/More/Next worst moment", shown.draw()),
               ElementsAre(Action(actions::GoTo{Moment::kNextWorst})));
-  EXPECT_THAT(shown.screen.click("Timeline/More/The worst moment", shown.draw()),
-              ElementsAre(Action(actions::GoTo{Moment::kWorst})));
   EXPECT_THAT(shown.screen.click("Timeline/More/Bookmark this moment", shown.draw()),
               ElementsAre(Action(actions::ShowOverlay{Overlay::kBookmark})));
 }
