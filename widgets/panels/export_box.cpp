@@ -150,8 +150,8 @@ void draw_format(kit::Ui& ui,
                     : "There is such a file already; it would be replaced",
                 kit::TextLook::kWarning, ui.px(2.0 * kExportButton + 24.0));
   } else {
-    ui.cut_text("It is made in the background; the status line shows how far it is.",
-                kit::TextLook::kMuted, ui.px(2.0 * kExportButton + 24.0));
+    ui.text("It is made in the background; the status line shows how far it is.",
+            kit::TextLook::kMuted);
   }
   ui.same_line();
   ui.right_align(ui.px(2.0 * kExportButton + 8.0));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places and the way to a folder, and what keys do in it.
+// How a folder is drawn, and what keys do in it.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -13,7 +14,31 @@
 namespace nadir {
 namespace {
 
+constexpr double kKindWidth = 96.0, kWhenWidth = 140.0, kSizeWidth = 76.0;
 constexpr std::ptrdiff_t kRowsOfAPage = 10;
+
+[[nodiscard]] kit::Icon icon_of(FileKind kind) {
+  switch (kind) {
+    case FileKind::kFolder:
+      return kit::Icon::kFolder;
+    case FileKind::kRun:
+      return kit::Icon::kChart;
+    case FileKind::kMap:
+      return kit::Icon::kMap;
+    case FileKind::kFlight:
+      return kit::Icon::kPlane;
+    case FileKind::kFigureRecipe:
+    case FileKind::kRunRecipe:
+      return kit::Icon::kList;
+    case FileKind::kFigure:
+      return kit::Icon::kBars;
+    case FileKind::kLabels:
+      return kit::Icon::kPaintBrush;
+    case FileKind::kOther:
+      break;
+  }
+  return kit::Icon::kFile;
+}
 
 void draw_place_rows(kit::Ui& ui,
                      const std::vector<FilePlace>& places,
@@ -73,6 +98,40 @@ void complete(const std::vector<const FolderEntry*>& rows,
   if (entry != nullptr && entry->is_folder && alike == 1) completed += '/';
   state.typed.replace(state.typed.size() - typed.last.size(), typed.last.size(), completed);
   state.goes_on_typing = true;
+}
+
+void draw_rows(kit::Ui& ui,
+               const std::vector<const FolderEntry*>& rows,
+               FileBrowserState& state,
+               const FolderEntry*& opened) {
+  ui.clipped_table_rows(rows.size(), [&](std::size_t i) {
+    const FolderEntry& entry = *rows[i];
+    const kit::RowInput input = ui.row(entry.name, entry.name == state.chosen);
+    if (input.was_clicked) {
+      state.chosen = entry.name;
+      state.was_clicked = true;
+    }
+    if (input.was_double_clicked) opened = &entry;
+    const bool is_pale = entry.kind == FileKind::kOther;
+    const auto look = is_pale ? kit::TextLook::kMuted : kit::TextLook::kNormal;
+    ui.icon_cell(icon_of(entry.kind), entry.name, look);
+    ui.cell(is_pale ? "" : std::string(enum_name(entry.kind)), kit::TextLook::kMuted);
+    ui.cell(when_text(entry.changed_s), kit::TextLook::kMutedNumber);
+    ui.cell(entry.is_folder ? "" : file_size_text(entry.bytes), kit::TextLook::kMutedNumber);
+  });
+}
+
+/// What stands in place of the names.
+[[nodiscard]] std::string words_without_names(const FileBrowserModel& model,
+                                              const FileBrowserState& state) {
+  if (!model.listing) return "The folder is being read.";
+  const TypedPath typed = read_typed_path(state.typed, state.folder, model.home);
+  if (!typed.last.empty() && !model.listing->entries.empty()) {
+    return fmt::format("Nothing here that can be opened has “{}” in its name.",
+                       shortened(typed.last, 40));
+  }
+  return model.listing->entries.empty() ? "The folder is empty."
+                                        : "Nothing here can be opened; “All files” shows the rest.";
 }
 
 }  // namespace
@@ -170,6 +229,49 @@ kit::TextEdit draw_name_field(kit::Ui& ui,
     state.chosen = folder.filename().string();
   }
   return edit;
+}
+
+const FolderEntry* draw_names(kit::Ui& ui,
+                              const FileBrowserModel& model,
+                              const FileFilter& filter,
+                              FileBrowserState& state,
+                              double height) {
+  const std::vector<const FolderEntry*> rows = shown_entries(model, state, filter);
+  if (!model.fault.empty() || rows.empty()) {
+    const auto scroll = ui.scroll_area("Names", height);
+    ui.space();
+    if (!model.fault.empty()) {
+      ui.icon(kit::Icon::kWarning, kit::TextLook::kWarning);
+      ui.same_line();
+      ui.wrapped(model.fault, kit::TextLook::kWarning);
+    } else if (!filter.is_for_saving || !model.listing) {
+      ui.wrapped(words_without_names(model, state), kit::TextLook::kMuted);
+    } else {
+      ui.text("No such files here yet.", kit::TextLook::kMuted);
+    }
+    return nullptr;
+  }
+  const bool is_narrow = ui.room().width < ui.px(520.0);
+  const std::array<kit::Column, 4> columns = {
+      {{.title = "Name"},
+       {.title = "Kind", .width = is_narrow ? ui.px(64.0) : ui.px(kKindWidth)},
+       {.title = "Changed", .width = ui.px(kWhenWidth)},
+       {.title = "Size", .align = kit::Align::kRight, .width = ui.px(kSizeWidth)}}};
+  const FolderEntry* opened = nullptr;
+  if (const auto table = ui.table("Names", columns, {.height = height, .is_sortable = true})) {
+    if (const auto sorting = ui.sorting(); sorting && sorting->column < 3) {
+      const auto order = static_cast<FileOrder>(sorting->column);
+      state.is_reversed = order == state.order && !state.is_reversed;
+      state.order = order;
+    }
+    draw_rows(ui, rows, state, opened);
+    const auto at = std::find_if(rows.begin(), rows.end(),
+                                 [&](const auto* row) { return row->name == state.chosen; });
+    if (std::exchange(state.has_moved, false) && at != rows.end()) {
+      ui.keep_row_in_sight(static_cast<std::size_t>(at - rows.begin()));
+    }
+  }
+  return opened;
 }
 
 }  // namespace nadir

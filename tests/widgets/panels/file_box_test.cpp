@@ -55,27 +55,6 @@ TEST(OpenBox, ShowsNameKindAndDate) {
   EXPECT_THAT(cell("town/Changed"), StartsWith("2020-09-"));
 }
 
-TEST(OpenBox, LeavesNamesTheirRoomInASmallWindow) {
-  // Wide, as the smallest useful window, and as that at interface scale 1.5.
-  std::size_t most = 5;
-  for (const Eigen::Vector2d& size :
-       {Eigen::Vector2d(1280.0, 800.0), Eigen::Vector2d(960.0, 600.0),
-        Eigen::Vector2d(640.0, 400.0), Eigen::Vector2d(480.0, 400.0)}) {
-    BoxToOpen box;
-    box.screen.input().size_px = size;
-    box.wait();
-    box.wait();
-    EXPECT_GE(box.screen.at("Open/Names/loop-10.nadir/Name").rect.width, 100.0) << size.x();
-    std::size_t columns = 0;
-    for (const char* title : {"Name", "Kind", "Changed", "Size"}) {
-      columns += box.screen.has(std::string("Open/Names/town/") + title) ? 1U : 0U;
-    }
-    EXPECT_LE(columns, most) << size.x();
-    EXPECT_EQ(columns == 4, size.x() > 1000.0) << size.x();
-    most = columns;
-  }
-}
-
 TEST(OpenBox, OpensTheFirstThatFitsOnEnter) {
   BoxToOpen box;
   EXPECT_THAT(box.type("Open/##Name", "loop-1"),
