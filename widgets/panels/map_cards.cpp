@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/base/angle.h"
 #include "core/mcl/cell_agreement.h"
@@ -15,37 +14,21 @@ namespace nadir {
 namespace {
 
 constexpr double kToolSize = 28.0, kToolPadding = 4.0, kAboveScaleBar = 40.0;
-constexpr double kCardWidth = 232.0, kCardRow = 24.0, kCardHead = 32.0, kUsefulCard = 128.0;
-constexpr double kBelowNorthArrow = 48.0;
+constexpr double kCardWidth = 232.0, kCardRow = 24.0, kCardHead = 32.0;
+constexpr double kBelowCards = 60.0;  ///< Room for the legend.
 
 std::string compass_text(double yaw_rad) {
   return bearing_text(compass_deg_from_yaw(Angle::radians(yaw_rad)));
 }
 
-/// A card of so many read-outs, the first below the north arrow, others below the one before; beside that where little is left
-/// below it. It is cut where the legend begins, and then scrolls; what hardly fits has the legend's place.
-kit::Rect card_place(kit::Ui& ui,
-                     const kit::Rect& map,
-                     double legend_px,
-                     double rows,
-                     const std::vector<kit::Rect>& before) {
-  const double gap = ui.px(8.0);
-  const double width = std::min(ui.px(kCardWidth), map.width - 2.0 * gap);
-  const double wanted = ui.px(kCardHead + rows * kCardRow + kCardRow);
-  const double useful = std::min(wanted, ui.px(kUsefulCard));
-  const double end = map.bottom() - gap, above_legend = end - legend_px;
-  kit::Rect place{map.right() - width - gap, map.top + ui.px(kBelowNorthArrow), width, wanted};
-  if (!before.empty()) {
-    const kit::Rect& last = before.back();
-    const double first_top = std::exchange(place.top, last.bottom() + gap);
-    const double beside = last.left - gap - width;
-    if (above_legend - place.top < useful && beside >= beside_map_tools(ui, map).left) {
-      place.left = beside;
-      place.top = first_top;
-    }
-  }
-  place.height = std::max({ui.px(kCardHead + kCardRow), std::min(wanted, above_legend - place.top),
-                           std::min(useful, end - place.top)});
+/// A card of so many read-outs below the others; `top` moves below it. It is cut where the map ends, and then scrolls.
+kit::Rect card_place(kit::Ui& ui, const kit::Rect& map, double rows, double& top) {
+  const double width = std::min(ui.px(kCardWidth), map.width - ui.px(16.0));
+  const double height = std::max(
+      ui.px(kCardHead + 24.0),
+      std::min(ui.px(kCardHead + rows * kCardRow + 24.0), map.bottom() - ui.px(kBelowCards) - top));
+  const kit::Rect place{map.right() - width - ui.px(8.0), top, width, height};
+  top += height + ui.px(8.0);
   return place;
 }
 
@@ -76,18 +59,16 @@ void draw_particle_card(kit::Ui& ui,
                         const MapViewModel& model,
                         std::size_t index,
                         const kit::Rect& map,
-                        double legend_px,
-                        std::vector<kit::Rect>& places,
+                        double& top,
                         Actions& asked) {
   const ParticleSet& particles = *model.step->particles;
   const Rigid2 pose = particles.pose(index);
   const auto classes = particle_classes(model, pose);
   const double rows = 4.0 + (model.step->truth_in_enu ? 1.0 : 0.0) +
                       (classes.empty() ? 0.0 : 1.0 + static_cast<double>(classes.size()));
-  places.push_back(card_place(ui, map, legend_px, rows, places));
-  const auto card =
-      ui.region("Particle", places.back(),
-                {.surface = kit::Surface::kPlate, .has_scroll = true, .is_above = true});
+  const kit::Rect place = card_place(ui, map, rows, top);
+  const auto card = ui.region(
+      "Particle", place, {.surface = kit::Surface::kPlate, .has_scroll = true, .is_above = true});
   if (card_head(ui, fmt::format("Particle {}", index), "Close",
                 hint_for("Select no particle", actions::SelectParticle{}))) {
     asked.emplace_back(actions::SelectParticle{});
@@ -116,17 +97,13 @@ void draw_particle_card(kit::Ui& ui,
   }
 }
 
-void draw_measure_card(kit::Ui& ui,
-                       const MapViewModel& model,
-                       const kit::Rect& map,
-                       double legend_px,
-                       std::vector<kit::Rect>& places,
-                       Actions& asked) {
+void draw_measure_card(
+    kit::Ui& ui, const MapViewModel& model, const kit::Rect& map, double& top, Actions& asked) {
   const Measured measured = measure(model.look.measured_in_enu_m);
   const double rows = 1.0 + (measured.bearing_deg ? 1.0 : 0.0) + (measured.area_m2 ? 1.0 : 0.0);
-  places.push_back(card_place(ui, map, legend_px, rows, places));
+  const kit::Rect place = card_place(ui, map, rows, top);
   const auto card =
-      ui.region("Measured", places.back(), {.surface = kit::Surface::kPlate, .is_above = true});
+      ui.region("Measured", place, {.surface = kit::Surface::kPlate, .is_above = true});
   if (card_head(ui, "Measured", "Clear", hint_for("Measure anew", actions::MeasurePoint{}))) {
     asked.emplace_back(actions::MeasurePoint{});
   }
@@ -218,17 +195,12 @@ Actions draw_map_tools(kit::Ui& ui, const MapViewModel& model, const kit::Rect& 
   return clicked ? Actions{actions_of_tools[*clicked]} : Actions{};
 }
 
-Actions draw_map_cards(kit::Ui& ui,
-                       const MapViewModel& model,
-                       const kit::Rect& map,
-                       double legend_px,
-                       std::vector<kit::Rect>& places) {
+Actions draw_map_cards(kit::Ui& ui, const MapViewModel& model, const kit::Rect& map) {
   Actions asked;
-  places.clear();
-  if (!model.look.measured_in_enu_m.empty())
-    draw_measure_card(ui, model, map, legend_px, places, asked);
+  double top = map.top + ui.px(48.0);  // below the north arrow
+  if (!model.look.measured_in_enu_m.empty()) draw_measure_card(ui, model, map, top, asked);
   if (const auto index = selected_particle(model)) {
-    draw_particle_card(ui, model, *index, map, legend_px, places, asked);
+    draw_particle_card(ui, model, *index, map, top, asked);
   }
   return asked;
 }

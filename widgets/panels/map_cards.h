@@ -8,12 +8,7 @@ namespace nadir {
 /// What lies over the map as controls: the quiet column of tools at the upper left, and cards at the upper right that say
 /// what was measured and what the selected particle is. @param map  Their map's place in the window.
 [[nodiscard]] Actions draw_map_tools(kit::Ui& ui, const MapViewModel& model, const kit::Rect& map);
-/// @param legend_px  What a legend takes of the map's lower end. @param places  Theirs, from above; made anew.
-[[nodiscard]] Actions draw_map_cards(kit::Ui& ui,
-                                     const MapViewModel& model,
-                                     const kit::Rect& map,
-                                     double legend_px,
-                                     std::vector<kit::Rect>& places);
+[[nodiscard]] Actions draw_map_cards(kit::Ui& ui, const MapViewModel& model, const kit::Rect& map);
 /// What the tools cover along the left border, pixels.
 [[nodiscard]] double map_tools_width(const kit::Ui& ui);
 /// The place of a map without what they cover; of a split one that is the whole of it, for only its left half has tools.

@@ -57,29 +57,6 @@ std::string apart_words(const std::vector<ApartRun>& apart) {
                      quoted_name(run.map));
 }
 
-constexpr double kNotePadding = 6.0;  // of the design
-
-struct NotePlan {
-  kit::Rect place;
-  bool is_beside = false;  ///< The button beside the words; else below them.
-};
-/// Between the tools and the north arrow; the button goes below the words where there is no room beside them.
-std::optional<NotePlan> plan_note(const kit::Ui& ui, const MapNote& note, const kit::Rect& map) {
-  if (note.words.empty()) return std::nullopt;
-  const double left = beside_map_tools(ui, map).left;
-  const double room = map.right() - ui.px(40.0) - left;
-  const bool has_button = !note.button.empty();
-  const double padding = ui.px(kNotePadding);
-  const double words = ui.text_width(note.words) + 2.0 * padding + ui.px(8.0);
-  const double button = has_button ? ui.text_width(note.button) + ui.px(44.0) : 0.0;
-  const bool is_beside = words + button <= room;
-  const double width = is_beside ? words + button : std::max(words, button);
-  const double row = ui.px(has_button ? 28.0 : 20.0);
-  const double height = (is_beside || !has_button ? row : ui.px(60.0)) + 2.0 * padding;
-  if (width > room || height > map.height / 2.0) return std::nullopt;
-  return NotePlan{{left + (room - width) / 2.0, map.top + ui.px(8.0), width, height}, is_beside};
-}
-
 }  // namespace
 
 MapNote map_note(const MapViewModel& model) {
@@ -106,26 +83,30 @@ MapNote map_note(const MapViewModel& model) {
   return {};
 }
 
-std::optional<kit::Rect> place_of_map_note(const kit::Ui& ui,
-                                           const MapNote& note,
-                                           const kit::Rect& map) {
-  const auto plan = plan_note(ui, note, map);
-  return plan ? std::optional(plan->place) : std::nullopt;
-}
-
 Actions draw_map_note(kit::Ui& ui, const MapNote& note, const kit::Rect& map) {
-  const auto plan = plan_note(ui, note, map);
-  if (!plan) return {};
+  if (note.words.empty()) return {};
+  // Between the tools and the north arrow; the button goes below the words where there is no room beside them.
+  const double left = beside_map_tools(ui, map).left;
+  const double room = map.right() - ui.px(40.0) - left;
   const bool has_button = !note.button.empty();
+  const double padding = ui.px(6.0);
+  const double words = ui.text_width(note.words) + 2.0 * padding + ui.px(8.0);
+  const double button = has_button ? ui.text_width(note.button) + ui.px(44.0) : 0.0;
+  const bool is_beside = words + button <= room;
+  const double width = is_beside ? words + button : std::max(words, button);
+  const double row = ui.px(has_button ? 28.0 : 20.0);
+  const double height = (is_beside || !has_button ? row : ui.px(60.0)) + 2.0 * padding;
+  if (width > room || height > map.height / 2.0) return {};
+  const kit::Rect place{left + (room - width) / 2.0, map.top + ui.px(8.0), width, height};
   Actions asked;
-  const auto region = ui.region("Note", plan->place,
+  const auto region = ui.region("Note", place,
                                 {.surface = kit::Surface::kPlate,
-                                 .padding = ui.px(kNotePadding),
+                                 .padding = padding,
                                  .is_above = true,
                                  .takes_input = has_button});
   ui.text(note.words);
   if (!has_button) return asked;
-  if (plan->is_beside) ui.same_line(ui.px(12.0));
+  if (is_beside) ui.same_line(ui.px(12.0));
   if (ui.button(note.button) && note.action) asked.push_back(*note.action);
   return asked;
 }

@@ -18,10 +18,6 @@ struct MapNote {
 };
 [[nodiscard]] MapNote map_note(const MapViewModel& model);
 
-/// Where draw_map_note() has it; nothing where there is none.
-[[nodiscard]] std::optional<kit::Rect> place_of_map_note(const kit::Ui& ui,
-                                                         const MapNote& note,
-                                                         const kit::Rect& map);
 /// In a line in the middle of the upper border, between tools and north arrow, or in two. Left out where the map is too narrow
 /// even for that.
 [[nodiscard]] Actions draw_map_note(kit::Ui& ui, const MapNote& note, const kit::Rect& map);

@@ -20,10 +20,6 @@ constexpr double kBookmarkPx = 7.0;  ///< Of the design: how near the mouse must
 /// Of the design: the size that the window's small text is made in, so that words on the map are as sharp.
 constexpr double kSharpText = 12.0;
 
-PageRect widened(const PageRect& rect, double by) {
-  return {rect.left - by, rect.bottom - by, rect.width + 2.0 * by, rect.height + 2.0 * by};
-}
-
 /// Bounds of all that the map could show at first: the runs, else the map.
 GroundBounds all_bounds(const MapViewModel& model, RunPathsCache& cache) {
   GroundBounds all;
@@ -103,11 +99,6 @@ void MapPaneView::draw_content() {
   name_bookmark();
 }
 
-PageRect MapPaneView::on_page(const kit::Rect& in_window) const {
-  return {in_window.left - area_.rect.left, area_.rect.bottom() - in_window.bottom(),
-          in_window.width, in_window.height};
-}
-
 void MapPaneView::draw_ground(const MapGround& ground) {
   if (!state_.ground) return;
   if (const kit::TextureId texture = state_.ground(ground); texture != 0) {
@@ -143,27 +134,22 @@ void MapPaneView::draw_furniture(const MapFrame& frame) {
   sharp.px_per_pt = ui_.px(kSharpText) / kScaleBarTextPt;
   draw_scale_bar(canvas, sharp, theme);
   draw_north_arrow(canvas, frame, theme);
-  PageRect lasting;
+  PageRect legend, lasting;
   if (model_.look.layer(Layer::kLegend).is_visible) {
     // Of two halves the second names the classes, which are those of both.
     const bool with_classes = !pane_.is_half || !pane_.is_main;
     sharp.px_per_pt = ui_.px(kSharpText) / kLegendTextPt;
     const auto entries = map_legend(model_, pane_.shown, state_.seen_classes, theme, with_classes);
-    LegendFit& fit = pane_.is_main ? state_.legend : state_.second_legend;
-    const PageRect place = place_of_map_legend(sharp, entries, fit);
-    if (place.width > 0.0) {
-      state_.legend_height_px = std::max(state_.legend_height_px, place.top());
-    }
-    // What somebody asked for, and has no room elsewhere, lies in its place.
-    const bool is_covered =
-        std::any_of(pane_.covered.begin(), pane_.covered.end(),
-                    [&](const kit::Rect& card) { return overlap(on_page(card), place); });
-    if (!is_covered) legend_ = draw_map_legend(canvas, sharp, entries, theme, fit);
+    legend = draw_map_legend(canvas, sharp, entries, theme,
+                             pane_.is_main ? state_.legend : state_.second_legend);
     if (pane_.is_main) {
       lasting =
           place_of_map_legend(sharp, lasting_map_legend(model_, pane_.shown, theme, with_classes),
                               state_.lasting_legend);
     }
+  }
+  if (legend.width > 0.0) {
+    state_.legend_height_px = std::max(state_.legend_height_px, legend.top());
   }
   const double tools = pane_.is_main ? map_tools_width(ui_) : 0.0;
   if (pane_.is_half && model_.runs.size() >= 2) {
@@ -183,16 +169,13 @@ void MapPaneView::draw_furniture(const MapFrame& frame) {
 
 /// An arrow, where the vehicle is out of sight; its words lie over the map, and are drawn after it.
 void MapPaneView::point_to_vehicle(const MapFrame& frame) {
-  const double edge = ui_.px(8.0);
-  const double above = ui_.px(48.0), below = ui_.px(48.0);  // the north arrow, the scale bar
+  const double edge = ui_.px(8.0), above = ui_.px(48.0);  // the north arrow, names and notes
   const double left = state_.room.left * where_.width + edge;
-  ArrowRoom room{
-      {where_.left + left, where_.bottom + below, std::max(1.0, where_.width - left - edge),
-       std::max(1.0, where_.height - below - above)},
-      {}};
-  if (legend_.width > 0.0) room.taken.push_back(widened(legend_, edge));
-  for (const kit::Rect& card : pane_.covered) room.taken.push_back(widened(on_page(card), edge));
-  state_.away = vehicle_away(ui_, model_, frame, room);
+  const double below = std::max(ui_.px(48.0), state_.room.bottom * where_.height + edge);
+  const PageRect free{where_.left + left, where_.bottom + below,
+                      std::max(1.0, where_.width - left - edge),
+                      std::max(1.0, where_.height - below - above)};
+  state_.away = vehicle_away(model_, frame, free);
   if (state_.away) draw_vehicle_arrow(ui_, *state_.away);
 }
 

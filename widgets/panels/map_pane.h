@@ -18,9 +18,8 @@ struct MapPane {
   std::vector<int>
       shown;  ///< Numbers of the runs on it; the last one's particles lie on the ground.
   Eigen::Vector2d size;
-  bool is_main = true;                  ///< False: the second of two.
-  bool is_half = false;                 ///< One of two, which say what they show.
-  std::vector<kit::Rect> covered = {};  ///< By cards and notes, in the window.
+  bool is_main = true;   ///< False: the second of two.
+  bool is_half = false;  ///< One of two, which say what they show.
 };
 
 /// Draws a pane and understands what the mouse does on it, for one frame.
@@ -51,7 +50,6 @@ class MapPaneView {
   void handle_label_gestures();
   void draw_label_content();
 
-  [[nodiscard]] PageRect on_page(const kit::Rect& in_window) const;
   void draw_content();
   void draw_ground(const MapGround& ground);
   void draw_doings(const MapFrame& frame);
@@ -65,7 +63,6 @@ class MapPaneView {
   MapPane pane_;
   kit::AreaInput area_;
   PageRect where_;
-  PageRect legend_;  ///< Without area: none.
   MapCamera camera_;
   Actions asked_;
 };

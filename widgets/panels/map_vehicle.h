@@ -6,21 +6,10 @@
 
 namespace nadir {
 
-/// Whether two parts of a page have any in common.
-[[nodiscard]] bool overlap(const PageRect& one, const PageRect& other);
-
-/// Where on a map's page an arrow and its words may lie.
-struct ArrowRoom {
-  PageRect inside;              ///< The page without what controls cover along its border.
-  std::vector<PageRect> taken;  ///< By legend, cards and notes.
-};
-
-/// Nothing where it is in sight, nobody knows it, or the map follows it. The arrow is at the border of the room, or nearer to its
-/// middle where something lies there; its words have a plate where they lie on nothing.
-[[nodiscard]] std::optional<VehicleAway> vehicle_away(const kit::Ui& ui,
-                                                      const MapViewModel& model,
+/// Nothing where it is in sight, nobody knows it, or the map follows it. @param free  The part of the page that controls leave.
+[[nodiscard]] std::optional<VehicleAway> vehicle_away(const MapViewModel& model,
                                                       const MapFrame& frame,
-                                                      const ArrowRoom& room);
+                                                      const PageRect& free);
 
 /// "vehicle 34 m", "vehicle 1.2 km".
 [[nodiscard]] std::string away_words(double distance_m);

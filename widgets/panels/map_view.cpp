@@ -47,28 +47,22 @@ Actions draw_map_view(kit::Ui& ui, const MapViewModel& model, MapViewState& stat
   const kit::Rect room = ui.room();
   std::vector<int> all;
   for (const MapRun& run : model.runs) all.push_back(run.number);
-  std::vector<kit::Rect> covered = state.cards;
-  if (const auto note = place_of_map_note(ui, map_note(model), room)) covered.push_back(*note);
   if (model.look.is_split && all.size() >= 2 && model.labels == nullptr) {
     const double half = std::floor((room.width - ui.px(2.0)) / 2.0);
     const Eigen::Vector2d size(half, room.height);
-    asked =
-        MapPaneView(ui, model, state, {"Ground", {all.back()}, size, true, true, covered}).draw();
+    asked = MapPaneView(ui, model, state, {"Ground", {all.back()}, size, true, true}).draw();
     ui.same_line(ui.px(2.0));
-    join(MapPaneView(ui, model, state,
-                     {"Second ground", {all[all.size() - 2]}, size, false, true, covered})
+    join(MapPaneView(ui, model, state, {"Second ground", {all[all.size() - 2]}, size, false, true})
              .draw());
   } else {
-    asked = MapPaneView(ui, model, state,
-                        {"Ground", all, {room.width, room.height}, true, false, covered})
-                .draw();
+    asked = MapPaneView(ui, model, state, {"Ground", all, {room.width, room.height}, true}).draw();
   }
   join(draw_map_tools(ui, model, room));
   if (state.away) {
     const kit::Rect page{room.left, room.top, state.where.width, state.where.top()};
     join(draw_vehicle_plate(ui, *state.away, page));
   }
-  join(draw_map_cards(ui, model, room, state.legend_height_px, state.cards));
+  join(draw_map_cards(ui, model, room));
   if (model.labels == nullptr) join(draw_map_note(ui, map_note(model), room));
   if (model.work) join(draw_work_card(ui, *model.work, room));
   if (model.takes_keys && model.labels == nullptr && ui.is_pressed("Escape")) {

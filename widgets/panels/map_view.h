@@ -88,10 +88,10 @@ struct LegendFit {
 
 /// Where the vehicle (the active run's estimate at the cursor) is when it is out of sight.
 struct VehicleAway {
-  Eigen::Vector2d tip;            ///< Of an arrow on the map's page that points to it.
-  Eigen::Vector2d along;          ///< The arrow's direction on the page, of length 1.
-  std::optional<PageRect> plate;  ///< Beside it, for words; nothing where there is no room.
-  double distance_m = 0.0;        ///< From the map's middle.
+  PageRect free;            ///< The part of the map's page that controls leave.
+  Eigen::Vector2d tip;      ///< Of an arrow at the border of that part, pointing to the vehicle.
+  Eigen::Vector2d along;    ///< The arrow's direction on the page, of length 1.
+  double distance_m = 0.0;  ///< From the map's middle.
 };
 
 /// Classes that the topviews of a run have shown, so that a legend that is looked at only grows.
@@ -119,7 +119,6 @@ struct MapViewState {
   LegendFit lasting_legend;         ///< Of the first: lasting_map_legend(), for the room below.
   SeenClasses seen_classes;         ///< Of the active run.
   std::optional<VehicleAway> away;  ///< In this frame, on the only or first map.
-  std::vector<kit::Rect> cards;     ///< That lie over the map, and where; of the last frame.
   std::string grabbing_pane;        ///< Map whose ground a drag holds; empty: none.
   Eigen::Vector2d grabbed_in_enu_m =
       Eigen::Vector2d::Zero();  ///< The place of the ground that it holds.

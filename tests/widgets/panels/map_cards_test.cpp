@@ -18,7 +18,7 @@ const kit::Rect kMap{100.0, 50.0, 900.0, 600.0};
 class MapCardsTest : public ::testing::Test {
  protected:
   auto cards() {
-    return [this](kit::Ui& ui) { return draw_map_cards(ui, model, map, legend_px, places); };
+    return [this](kit::Ui& ui) { return draw_map_cards(ui, model, kMap); };
   }
   /// The whole map, whose menu opens at a place.
   auto menu() {
@@ -31,9 +31,6 @@ class MapCardsTest : public ::testing::Test {
   MapViewModel model = made.map_view();
   Eigen::Vector2d place{12.5, 34.25};
   kit::HeadlessUi screen;
-  kit::Rect map = kMap;
-  double legend_px = 0.0;  ///< What a legend takes of its lower end.
-  std::vector<kit::Rect> places;
 };
 
 TEST_F(MapCardsTest, NothingIsSaidWhereNothingIsPickedOrMeasured) {
@@ -78,45 +75,6 @@ TEST_F(MapCardsTest, WhatIsMeasuredCanBeClearedAndPushesTheParticleDown) {
   EXPECT_GT(screen.at("Particle/east").rect.top, above + 40.0);
   EXPECT_THAT(screen.click("Measured/Clear", cards()),
               ElementsAre(Action(actions::MeasurePoint{})));
-}
-
-TEST_F(MapCardsTest, CardsEndAboveTheLegendAndStandBesideEachOtherWhereThatIsNear) {
-  model.selected_particle = 0;
-  model.look.measured_in_enu_m = {{0.0, 0.0}, {3.0, 4.0}, {9.0, 1.0}};
-  legend_px = 80.0;
-  for (const double height : {680.0, 420.0, 340.0, 300.0}) {
-    map = {100.0, 50.0, 560.0, height};
-    screen.wait(3, cards());
-    ASSERT_EQ(places.size(), 2U) << height;
-    for (const kit::Rect& card : places) {
-      EXPECT_LE(card.bottom(), map.bottom() - legend_px) << height;
-      EXPECT_GE(card.height, 56.0) << height;
-      EXPECT_GE(card.left, map.left + 40.0) << height << ": the tools stay free";
-      EXPECT_LE(card.right(), map.right()) << height;
-    }
-    const kit::Rect &measured = places[0], &particle = places[1];
-    EXPECT_TRUE(particle.top >= measured.bottom() || particle.right() <= measured.left) << height;
-    EXPECT_EQ(particle.right() <= measured.left, height < 400.0) << height;
-    EXPECT_TRUE(screen.has("Particle/Close"));
-  }
-  model.selected_particle.reset();
-  model.look.measured_in_enu_m.clear();
-  screen.wait(1, cards());
-  EXPECT_THAT(places, IsEmpty());
-}
-
-TEST_F(MapCardsTest, ACardThatHasRoomNowhereElseTakesTheLegendsPlace) {
-  model.selected_particle = 0;
-  model.look.measured_in_enu_m = {{0.0, 0.0}, {3.0, 4.0}, {9.0, 1.0}};
-  legend_px = 110.0;
-  map = {100.0, 50.0, 400.0, 320.0};  // of the smallest useful window
-  screen.wait(3, cards());
-  ASSERT_EQ(places.size(), 2U);
-  EXPECT_EQ(places[1].left, places[0].left) << "there is no room beside it";
-  EXPECT_GE(places[1].top, places[0].bottom());
-  EXPECT_GT(places[1].bottom(), map.bottom() - legend_px);
-  EXPECT_LE(places[1].bottom(), map.bottom());
-  EXPECT_GE(places[1].height, 120.0) << "a few rows can be read";
 }
 
 TEST_F(MapCardsTest, TheMenuCopiesCoordinatesInEveryNotation) {

@@ -3,9 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "tests/widgets/panels/shown_map.h"
 
 namespace nadir {
@@ -53,11 +50,11 @@ TEST_F(MapVehicle, IsPointedToFromTheBorderOfTheMap) {
     EXPECT_NEAR(state.away->distance_m, away.norm(), 1e-9);
     EXPECT_NEAR(state.away->along.norm(), 1.0, 1e-12);
     EXPECT_LT(state.away->along.dot(away.normalized()), -0.95) << "the way back";
+    const PageRect& free = state.away->free;
     const Eigen::Vector2d& tip = state.away->tip;
-    const double to_border =
-        std::min({tip.x(), state.where.width - tip.x(), tip.y(), state.where.height - tip.y()});
-    EXPECT_LT(to_border, screen.at("Map/Tools/Measure").rect.right() + 24.0)
-        << "beside what controls cover";
+    const double to_border = std::min(
+        {tip.x() - free.left, free.right() - tip.x(), tip.y() - free.bottom, free.top() - tip.y()});
+    EXPECT_NEAR(to_border, 0.0, 1e-6);
     ASSERT_NE(button(), nullptr);
     const kit::Rect map = screen.at(kGround).rect, words = button()->rect;
     const Eigen::Vector2d arrow(map.left + tip.x(), map.bottom() - tip.y());
@@ -72,86 +69,6 @@ TEST_F(MapVehicle, IsPointedToFromTheBorderOfTheMap) {
     EXPECT_GE(words.top, map.top);
     EXPECT_LE(words.bottom(), map.bottom());
   }
-}
-
-TEST_F(MapVehicle, LiesOnNothingThatIsThere) {
-  const PageRect page{0.0, 0.0, 400.0, 280.0};
-  const ArrowRoom room{{56.0, 48.0, 336.0, 184.0},
-                       {{180.0, 0.0, 220.0, 110.0}, {230.0, 150.0, 162.0, 90.0}}};
-  for (int degrees = 0; degrees < 360; degrees += 3) {
-    const double angle = degrees * 3.14159265358979 / 180.0;
-    const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
-    const MapFrame frame{page, MapCamera{vehicle() - 90.0 * way, 0.1}, 96.0 / 72.0};
-    const auto away =
-        screen.frame([&](kit::Ui& ui) { return vehicle_away(ui, model, frame, room); });
-    ASSERT_TRUE(away) << degrees;
-    EXPECT_GT(away->along.dot(way), 0.98) << degrees;
-    ASSERT_TRUE(away->plate) << degrees << ": there is room for it";
-    const Eigen::Vector2d back = away->tip - 20.0 * away->along;
-    const PageRect arrow{std::min(away->tip.x(), back.x()), std::min(away->tip.y(), back.y()),
-                         std::abs(away->tip.x() - back.x()), std::abs(away->tip.y() - back.y())};
-    EXPECT_FALSE(overlap(arrow, *away->plate)) << degrees;
-    for (const PageRect& taken : room.taken) {
-      EXPECT_FALSE(overlap(arrow, taken)) << degrees;
-      EXPECT_FALSE(overlap(*away->plate, taken)) << degrees;
-    }
-    EXPECT_GE(away->plate->left, room.inside.left);
-    EXPECT_LE(away->plate->right(), room.inside.right());
-    EXPECT_GE(away->plate->bottom, room.inside.bottom);
-    EXPECT_LE(away->plate->top(), room.inside.top());
-  }
-}
-
-TEST_F(MapVehicle, PointsWithoutWordsWhereNoneHaveRoom) {
-  const MapFrame frame{
-      {0.0, 0.0, 120.0, 90.0}, MapCamera{vehicle() - Eigen::Vector2d(90.0, 0.0), 0.1}, 96.0 / 72.0};
-  for (const PageRect& taken : {PageRect{}, PageRect{0.0, 0.0, 120.0, 90.0}}) {
-    const ArrowRoom room{{56.0, 24.0, 56.0, 40.0}, {taken}};
-    const auto away =
-        screen.frame([&](kit::Ui& ui) { return vehicle_away(ui, model, frame, room); });
-    ASSERT_TRUE(away);
-    EXPECT_FALSE(away->plate);
-    EXPECT_NEAR(away->tip.x(), room.inside.right(), 1e-9);
-  }
-}
-
-TEST_F(MapVehicle, KeepsClearOfLegendAndCardsInASmallWindow) {
-  // As large as the map of the smallest useful window.
-  screen.input().size_px = {400.0, 300.0};
-  model.look.layer(Layer::kLegend).is_visible = true;
-  model.look.measured_in_enu_m = {{0.0, 0.0}, {3.0, 4.0}};
-  for (const Eigen::Vector2d& away :
-       {Eigen::Vector2d(300.0, 0.0), Eigen::Vector2d(-300.0, 0.0), Eigen::Vector2d(0.0, 300.0),
-        Eigen::Vector2d(-210.0, 140.0), Eigen::Vector2d(-210.0, -140.0)}) {
-    look_from(away);
-    ASSERT_NE(button(), nullptr);
-    const kit::Rect map = screen.at(kGround).rect, words = button()->rect;
-    ASSERT_EQ(state.cards.size(), 1U);
-    const kit::Rect& card = state.cards[0];
-    const kit::Rect legend{map.right() - state.legend.width - 20.0,
-                           map.bottom() - state.legend_height_px, state.legend.width + 20.0,
-                           state.legend_height_px};
-    for (const kit::Rect& other : {card, legend}) {
-      EXPECT_TRUE(words.right() <= other.left || words.left >= other.right() ||
-                  words.bottom() <= other.top || words.top >= other.bottom());
-    }
-  }
-}
-
-TEST_F(MapVehicle, IsOneButtonHoweverFarItHasComeBetweenPressAndRelease) {
-  look_from({34.0, 0.0});
-  const std::string path = button()->path;
-  EXPECT_EQ(path, "Map/Vehicle/Plate/Follow");
-  screen.input().mouse_px = button()->rect.centre();
-  screen.wait(1, drawing());
-  screen.input().buttons[0] = true;
-  screen.wait(1, drawing());
-  model.look.centre_in_enu_m.x() += 2.0;
-  screen.wait(1, drawing());
-  EXPECT_EQ(button()->label, "vehicle 36 m");
-  EXPECT_EQ(button()->path, path);
-  screen.input().buttons[0] = false;
-  EXPECT_THAT(screen.frame(drawing()), ElementsAre(Action(actions::Follow{Switch::kOn})));
 }
 
 TEST_F(MapVehicle, IsFollowedByOneClick) {
