@@ -15,11 +15,13 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
 }
 
 std::string why_no_labels(std::string_view name, const Session& session) {
+  if (is_one_of(name, {"label-option", "last-class", "borders"})) return "";
   const LabelDesk* const desk = session.label_desk();
   if (desk == nullptr) {
     return session.label_view().path.empty() ? "open labels first"
                                              : "labels are still being opened";
   }
+  if (name == "finish" && desk->points().empty()) return "nothing is being drawn";
   const bool needs_selection =
       is_one_of(name, {"labels", "set-label", "duplicate-labels", "copy-beside", "join-borders"});
   return needs_selection && desk->selection().empty() && desk->picked().empty()

@@ -50,7 +50,7 @@ void draw_class_choice(kit::Ui& ui,
   if (!are_alike) names.emplace_back("several classes");
   for (int id = 0; id <= kClassCount; ++id) {
     const auto of = id == kClassCount ? ClassId{kUnclassified} : static_cast<ClassId>(id);
-    if (id < kClassCount && !can_lie_in_overhead(of)) continue;
+    if (id < kClassCount && (!can_lie_in_overhead(of) || is_movable(of))) continue;
     if (are_alike && of == objects.front()->class_id) chosen = names.size();
     names.emplace_back(class_info(of).name);
   }

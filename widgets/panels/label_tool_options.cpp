@@ -75,7 +75,7 @@ class OptionRows {
 std::vector<std::string> class_names() {
   std::vector<std::string> names;
   for (ClassId id = 0; id < kClassCount; ++id) {
-    if (can_lie_in_overhead(id)) names.emplace_back(class_info(id).name);
+    if (can_lie_in_overhead(id) && !is_movable(id)) names.emplace_back(class_info(id).name);
   }
   names.emplace_back(class_info(kUnclassified).name);
   return names;

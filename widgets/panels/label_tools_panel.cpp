@@ -107,7 +107,7 @@ void draw_classes(kit::Ui& ui, const LabelToolsModel& model, Actions& asked) {
     if (ui.list_row(label_of(key + name, name), row)) asked.push_back(wish);
   };
   for (ClassId id = 0; id < kClassCount; ++id) {
-    if (can_lie_in_overhead(id)) draw_row(id, model.classes.at(id));
+    if (can_lie_in_overhead(id) && !is_movable(id)) draw_row(id, model.classes.at(id));
   }
   draw_row(kUnclassified, model.classes.back());
 }

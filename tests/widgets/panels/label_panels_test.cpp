@@ -26,7 +26,7 @@ using testing::StartsWith;
 class LabelPanels : public testing::Test {
  protected:
   LabelPanels() {
-    act("label \"" + half_a_road(folder_.path() / "half").string() + "\"");
+    act("label \"" + half_a_road(folder_.path()).string() + "\"");
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (session_.label_desk() == nullptr && std::chrono::steady_clock::now() < end) {
       session_.poll(0.01);
