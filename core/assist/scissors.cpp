@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/imgproc/segmentation.hpp>
 #include <optional>
@@ -83,7 +84,7 @@ Eigen::Vector2d on_edge(const EdgeField& edges, const cv::Point& pixel) {
   constexpr int kReach = 2;
   std::array<double, 2 * kReach + 1> found{};
   for (int i = -kReach; i <= kReach; ++i) {
-    found.at(static_cast<std::size_t>(i + kReach)) =
+    found.at(static_cast<std::size_t>(std::ptrdiff_t{i} + kReach)) =
         std::log(std::max(1e-6, strength_at(edges.strength, centre + way * i)));
   }
   const auto best = std::max_element(found.begin(), found.end());

@@ -62,7 +62,7 @@ LocalisabilityMap::LocalisabilityMap(MatchGround ground,
                                      LocalisabilityOptions options)
     : ground_(std::move(ground)),
       footprint_(std::move(footprint)),
-      options_(std::move(options)),
+      options_(options),
       columns_(static_cast<int>(std::ceil(ground_.map().width_m() / options_.spacing_m - 1e-9))),
       rows_(static_cast<int>(std::ceil(ground_.map().height_m() / options_.spacing_m - 1e-9))) {
   const auto views = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) *

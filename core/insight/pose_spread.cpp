@@ -50,9 +50,9 @@ std::array<SpreadNode, 52> spread_nodes() {
 Eigen::Vector3d improve(Eigen::Matrix3d& root,
                         const std::function<double(const Eigen::Vector3d& offset)>& error,
                         const Eigen::Vector3d& prior_information) {
-  static const std::array<SpreadNode, 52> kNodes = spread_nodes();
+  static const std::array<SpreadNode, 52> nodes = spread_nodes();
   Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();
-  for (const SpreadNode& node : kNodes) {
+  for (const SpreadNode& node : nodes) {
     curvature += node.weight * error(root * node.place) *
                  (node.place * node.place.transpose() - Eigen::Matrix3d::Identity());
   }
@@ -63,7 +63,7 @@ Eigen::Vector3d improve(Eigen::Matrix3d& root,
                                        seen.eigenvectors().transpose() +
                                    root.transpose() * prior_information.asDiagonal() * root;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(whitened);
-  const Eigen::Vector3d growth =
+  Eigen::Vector3d growth =
       solver.eigenvalues().cwiseMax(1.0 / kMostGrowth).cwiseMin(kMostGrowth).cwiseInverse();
   root = root * solver.eigenvectors() * growth.cwiseSqrt().asDiagonal();
   return growth;

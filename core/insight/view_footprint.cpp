@@ -131,7 +131,7 @@ void ViewFootprint::see(const OverheadMap& map,
                         const Rigid2& enu_from_body,
                         SeenCells& seen) const {
   NADIR_REQUIRE(std::abs(map.metres_per_cell - metres_per_cell_) < 1e-9 * metres_per_cell_);
-  static const std::array<float, 256> kHeights = heights_of_classes();
+  static const std::array<float, 256> heights = heights_of_classes();
   for (auto& cells : seen) cells.clear();
   const FixedPose pose = fixed_pose(enu_from_body, map);
   std::vector<float> horizon(static_cast<std::size_t>(fans_),
@@ -154,8 +154,8 @@ void ViewFootprint::see(const OverheadMap& map,
       row -= 2 * pose.cos;
       if (map_column >= width || map_row >= height) continue;
       const ClassId id = labels[std::size_t{map_row} * width + map_column];
-      const bool is_seen = kHeights[id] > 0.0F
-                               ? raise(fan_row, *fans, kHeights[id], horizon)
+      const bool is_seen = heights[id] > 0.0F
+                               ? raise(fan_row, *fans, heights[id], horizon)
                                : fan_row.is_ground_seen && id < kClassCount &&
                                      fan_row.ground_elevation > horizon[fans->middle];
       if (!is_seen) continue;

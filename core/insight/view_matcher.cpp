@@ -105,7 +105,7 @@ double ViewMatcher::cost_of(const Competitor& competitor, const Rigid2& enu_from
 }
 
 void ViewMatcher::cost_around(const Rigid2& enu_from_body) {
-  const auto side = static_cast<std::size_t>(2 * steps_ + 1);
+  const auto side = 2 * static_cast<std::size_t>(steps_) + 1;
   const std::int32_t to_corner = (steps_ * step_cells_) << kFractionBits;
   FixedPose north_west = fixed_pose(enu_from_body, ground_.map());
   north_west.base_column -= to_corner;

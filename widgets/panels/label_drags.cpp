@@ -8,7 +8,7 @@
 
 namespace nadir {
 Eigen::Vector2d LabelGestures::dragged_to() const {
-  const Eigen::Vector2d mouse = under_mouse();
+  Eigen::Vector2d mouse = under_mouse();
   if (!desk_.tool().snaps) return mouse;
   const auto snap = desk_.snap_dragged(mouse, reach_m());
   return snap ? snap->in_enu_m : mouse;

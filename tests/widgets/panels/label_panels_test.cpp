@@ -83,7 +83,7 @@ TEST_F(LabelPanels, ClassesAreTakenUpByAClickAndSayWhatTheyCover) {
               ElementsAre("label-option class building"));
   while (!desk().sheet().coverage().is_complete()) session_.poll(0.01);
   screen_.wait(2, tools());
-  EXPECT_EQ(screen_.at("Labels/Classes/0  road##road").value, "3.0 ha");
+  EXPECT_EQ(screen_.at("Labels/Classes/0  road##road").value, "3.00 ha");
 }
 
 TEST_F(LabelPanels, OptionsOfTheToolAreSetByTheirControls) {
@@ -112,7 +112,7 @@ TEST_F(LabelPanels, ObjectsAreListedAndSelected) {
               testing::Contains("select-labels 1"));
   act("select-labels 1");
   screen_.wait(2, beside());
-  EXPECT_TRUE(screen_.shows("100 m²"));
+  EXPECT_TRUE(screen_.shows("100.0 m²"));
   EXPECT_TRUE(screen_.shows("40.00"));
   EXPECT_THAT(texts(screen_.click("Beside labels/Selection/Do/Delete", beside())),
               ElementsAre("labels delete"));
@@ -125,7 +125,7 @@ TEST_F(LabelPanels, HistoryGoesBackToAStep) {
   act("label-tab history");
   screen_.wait(2, beside());
   const auto asked =
-      texts(screen_.click(fmt::format("Beside labels/Draw area##{}", first), beside()));
+      texts(screen_.click(fmt::format("Beside labels/Draw building##{}", first), beside()));
   EXPECT_THAT(asked, ElementsAre(fmt::format("label-step {}", first))) << screen_.words();
 }
 

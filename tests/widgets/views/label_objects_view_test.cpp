@@ -151,7 +151,8 @@ TEST(LabelOverlay, DrawsTheBrushAsLargeAsItIs) {
   }
   LabelOverlay tiny;
   tiny.brush = {{10.0, -10.0}, 0.01};
-  EXPECT_GT(changed_pixels(drawn_on(kGround, tiny), kGround), 10) << "the cross still says where";
+  EXPECT_NE(drawn_on(kGround, tiny).values(), drawn_on(kGround, {}).values())
+      << "the cross still says where";
 }
 
 TEST(LabelOverlay, NamesShortLegsOnlyWhereSomebodyTyped) {
@@ -213,7 +214,8 @@ TEST(BorderOf, IsClosedAroundAreasAndBothSidesOfLines) {
 
 TEST(BorderOf, StaysNearItsLineWhereThatTurnsBack) {
   const LabelObject hairpin = line(kRoad, {{0.0, 0.0}, {10.0, 0.0}, {0.0, 0.01}}, 1.0);
-  for (const Eigen::Vector2d& place : border_of(hairpin, 0.01)[0]) {
+  const std::vector<Ring> border = border_of(hairpin, 0.01);
+  for (const Eigen::Vector2d& place : border.at(0)) {
     EXPECT_LT(place.x(), 11.5);
     EXPECT_LT(std::abs(place.y()), 1.5);
   }
