@@ -54,9 +54,6 @@ set(NADIR_PRIVATE_HEADERS
   core/map/tile_source.h
   core/mcl/cost_rows.h
   core/mcl/pose_bins.h
-  core/quality/cell_codes.h
-  core/quality/cell_regions.h
-  core/quality/check_parts.h
   core/run/copied_blobs.h
   core/run/earlier_run.h
   core/run/run_blobs.h
