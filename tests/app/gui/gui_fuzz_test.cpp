@@ -71,7 +71,11 @@ class UserFiles {
   [[nodiscard]] GuiRequest request() const {
     GuiRequest request;
     request.files = {path("loop.nadir").string()};
-    request.places = {path("config"), path("data"), path("street"),
+    request.places = {path("config"),
+                      path("data"),
+                      path("street"),
+                      {},
+                      "ada",
                       [](const fs::path& figure) -> Result<std::string> {
                         return fail(ErrorCode::kMalformed, "{}: carries no recipe",
                                     figure.string());
