@@ -253,6 +253,7 @@ Result<void> Session::Implementation::perform(const actions::PasteLabels& action
 Result<void> Session::Implementation::perform(const actions::GoToLabelStep& action) {
   const auto desk = need_desk();
   if (!desk) return forward_error(desk);
+  if (action.step == (*desk)->sheet().step()) return {};  // also 0 of labels that are not begun
   return (*desk)->go_to(action.step);
 }
 
