@@ -36,7 +36,7 @@ struct EnumNames<ImportKind> {
                                                              "nothing"};
 };
 
-/// How tags become objects: a TOML file of rules, of which the first that fits counts. core/label/README.md describes it,
+/// How tags become objects: a TOML file of rules, of which the first that fits counts. core/exchange/README.md describes it,
 /// resources/rules has examples.
 class ImportRules {
  public:
