@@ -28,5 +28,7 @@ int run_report(std::span<const std::string> arguments, std::ostream& out, std::o
 int run_map(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
 int run_flight(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
 int run_gui(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
+/// The same with labels of a map or image in front.
+int run_label(std::span<const std::string> arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace nadir::cli

@@ -21,6 +21,7 @@ constexpr std::array kCommands = {
     Command{"evaluate", "Print the errors of recorded runs", run_evaluate},
     Command{"figure", "Draw a figure of recorded runs or of a map, without a display", run_figure},
     Command{"report", "Draw every figure of recorded runs with an index page", run_report},
+    Command{"label", "Draw labels on a map or an overhead image", run_label},
     Command{"map", "Show, import, export and check labelled overheads", run_map},
     Command{"flight", "Show what a recorded flight holds", run_flight},
 };

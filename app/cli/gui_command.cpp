@@ -11,6 +11,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/figure_flow.h"
+#include "app/cli/map_subcommands.h"
 #include "app/gui/child_process.h"
 #include "app/gui/run_gui.h"
 #include "core/base/field.h"
@@ -29,10 +30,7 @@ struct GuiArguments {
   bool is_fresh = false;
 };
 
-void add_arguments(CLI::App& app, GuiArguments& values) {
-  app.add_option(
-      "FILE", values.request.files,
-      "Runs, maps, flights, recipes or figures to open; without any, what was open last");
+void add_window_options(CLI::App& app, GuiArguments& values) {
   app.add_flag("--fresh", values.is_fresh,
                "Open nothing by itself, and leave what was open last for the next start without "
                "this");
@@ -51,6 +49,13 @@ void add_arguments(CLI::App& app, GuiArguments& values) {
   app.add_option("--screenshot", values.screenshot,
                  "Photograph the window as PNG when it has come to rest, without a display")
       ->type_name("FILE");
+}
+
+void add_arguments(CLI::App& app, GuiArguments& values) {
+  app.add_option(
+      "FILE", values.request.files,
+      "Runs, maps, flights, recipes or figures to open; without any, what was open last");
+  add_window_options(app, values);
   app.footer(
       "Example: nadir gui run.nadir\n"
       "Without a display: nadir gui run.nadir --screenshot window.png");
@@ -110,22 +115,21 @@ Result<void> take_size(const std::string& text, GuiRequest& request) {
   return {};
 }
 
-}  // namespace
-
-int run_gui(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
-  CLI::App app("Opens the window: replay runs, see why, run again, compare", kGuiName);
-  GuiArguments values;
-  add_arguments(app, values);
+int run_window(CLI::App& app,
+               GuiArguments& values,
+               std::span<const std::string> arguments,
+               std::ostream& out,
+               std::ostream& err) {
   if (const auto status = parse_arguments(app, arguments, out, err)) return *status;
   GuiRequest& request = values.request;
   if (const auto size = take_size(values.size, request); !size) {
-    return report_flags_error(err, kGuiName, size.error());
+    return report_flags_error(err, app.get_name().c_str(), size.error());
   }
   if (!values.scale.empty()) {
     const auto scale = detail::parse_number(Field{"scale", "", "", 0.75, 3.0}, values.scale);
-    if (!scale) return report_flags_error(err, kGuiName, scale.error());
+    if (!scale) return report_flags_error(err, app.get_name().c_str(), scale.error());
     if (const auto valid = detail::check_range(Field{"scale", "", "", 0.75, 3.0}, *scale); !valid) {
-      return report_flags_error(err, kGuiName, valid.error());
+      return report_flags_error(err, app.get_name().c_str(), valid.error());
     }
     request.scale = *scale;
   }
@@ -143,11 +147,16 @@ int run_gui(std::span<const std::string> arguments, std::ostream& out, std::ostr
                                                   : fs::absolute(values.config);
   request.places.data = folder_of_user("XDG_DATA_HOME", ".local/share");
   request.places.bundled_map = find_bundled("maps/proving-ground");
+  request.places.resources = find_bundled("resources/profiles").parent_path();
+  request.places.author = author_name();
   request.places.recipe_in_figure = [](const fs::path& figure) -> Result<std::string> {
     const auto recipe = stored_recipe(figure);
     if (!recipe) return forward_error(recipe);
     return recipe_text(*recipe);
   };
+  if (!request.labels.empty()) {
+    request.labels = fs::absolute(find_bundled(request.labels)).lexically_normal().string();
+  }
   for (std::string& file : request.files) file = fs::absolute(file).lexically_normal().string();
   int status = kDone;  // of what was opened; nobody reads a notice in a window that nobody sees
   const auto done =
@@ -158,6 +167,29 @@ int run_gui(std::span<const std::string> arguments, std::ostream& out, std::ostr
   status = report_error(err, done.error());
   if (arguments.empty()) err << "'nadir --help' lists the commands that need no display\n";
   return status;
+}
+
+}  // namespace
+
+int run_gui(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
+  CLI::App app("Opens the window: replay runs, see why, run again, compare", kGuiName);
+  GuiArguments values;
+  add_arguments(app, values);
+  return run_window(app, values, arguments, out, err);
+}
+
+int run_label(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
+  CLI::App app(
+      "Opens the window to draw labels on a map or an overhead image. Every stroke is on disk at "
+      "once, in labels.gpkg of the map or IMAGE.labels.gpkg",
+      "nadir label");
+  GuiArguments values;
+  app.add_option("MAP", values.request.labels,
+                 "Map package, overhead image with a georeference, or labelling document")
+      ->required();
+  add_window_options(app, values);
+  app.footer("Example: nadir label maps/proving-ground\nnadir map export then writes labels.tif");
+  return run_window(app, values, arguments, out, err);
 }
 
 }  // namespace nadir::cli

@@ -10,6 +10,7 @@
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/map_subcommands.h"
+#include "core/desk/label_place.h"
 #include "core/exchange/label_export.h"
 #include "core/label/label_store.h"
 
@@ -189,6 +190,14 @@ int run_map_export(const MapExportArguments& given, std::ostream& out, std::ostr
                                           "another file",
                                           given.out)});
   }
+  // Of another map, say: nobody means to have an afternoon's work replaced by a picture of it.
+  if (std::error_code error;
+      fs::path(given.out).extension() == ".gpkg" && fs::exists(given.out, error)) {
+    return report_error(err, {ErrorCode::kInvalidOptions,
+                              fmt::format("{}: is a GeoPackage, which no export replaces; --out "
+                                          "must name another file",
+                                          given.out)});
+  }
   const auto provenance = provenance_of(given, path);
   if (!provenance) return report_error(err, provenance.error());
   if (!given.is_quiet) {
@@ -197,9 +206,11 @@ int run_map_export(const MapExportArguments& given, std::ostream& out, std::ostr
   const LabelFormat format = format_of(given);
   const LabelDocument& document = store->document();
   const LabelGrid grid = export_grid(document, given.resolution);
+  const auto place = find_label_place(path);
+  if (!place) return report_error(err, place.error());
   const Work work(err, given.is_quiet);
   const auto written =
-      export_labels(document, grid, *provenance, format, given.out, work.context());
+      export_labels(document, grid, *provenance, format, given.out, work.context(), place->image);
   if (!written) return report_error(err, written.error());
   const bool is_of_vectors = format == LabelFormat::kGeoJson || format == LabelFormat::kShapefile;
   out << given.out << ": "

@@ -51,8 +51,9 @@ GuiShell::GuiShell(const GuiRequest& request, std::function<void(const std::stri
       effects_(request.program, std::move(clipboard)),
       window_(session_),
       log_(std::make_unique<LogTap>()) {
-  if (request.restores && request.files.empty()) session_.restore();
+  if (request.restores && request.files.empty() && request.labels.empty()) session_.restore();
   for (const std::string& file : request.files) session_.apply(actions::OpenFile{file});
+  if (!request.labels.empty()) session_.apply(actions::OpenLabels{request.labels});
 }
 
 GuiShell::~GuiShell() = default;

@@ -30,7 +30,7 @@ GuiWindow::GuiWindow(Session& session) : session_(session) {
 GuiWindow::~GuiWindow() = default;
 
 bool GuiWindow::is_empty() const {
-  return session_.view().runs.empty() && session_.view().map_path.empty();
+  return session_.view().runs.empty() && session_.view().map_path.empty() && !draws_labels();
 }
 
 void GuiWindow::frame(kit::Ui& ui, double elapsed_s) {
@@ -40,9 +40,11 @@ void GuiWindow::frame(kit::Ui& ui, double elapsed_s) {
   Actions asked;
   const WindowPlaces places = arrange(ui);
   const bool is_overlay_open = session_.overlay() != Overlay::kNone;
-  if (const Command* const pressed = pressed_command(ui, is_overlay_open)) {
+  if (const Command* const pressed = pressed_command(ui, is_overlay_open, draws_labels())) {
     if (pressed->text == "paste-view") {  // what it asks for lies on the clipboard
       asked.emplace_back(actions::PasteView{ui.clipboard()});
+    } else if (pressed->text == "paste-labels") {
+      asked.emplace_back(actions::PasteLabels{ui.clipboard()});
     } else {
       join(asked, begin_command(*pressed, palette_));
     }

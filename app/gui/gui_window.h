@@ -10,6 +10,7 @@
 
 #include "app/gui/flight_scene.h"
 #include "app/gui/ground_picture.h"
+#include "app/gui/label_ground.h"
 #include "app/gui/picture_textures.h"
 #include "app/gui/undo_pace.h"
 #include "app/gui/window_arrangement.h"
@@ -22,6 +23,8 @@
 #include "widgets/panels/command_palette.h"
 #include "widgets/panels/export_box.h"
 #include "widgets/panels/file_box.h"
+#include "widgets/panels/label_side_panel.h"
+#include "widgets/panels/label_tools_panel.h"
 #include "widgets/panels/layers_panel.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/map_view.h"
@@ -64,6 +67,11 @@ class GuiWindow {
   void draw_left(kit::Ui& ui, Actions& asked);
   void draw_right(kit::Ui& ui, Actions& asked);
   void draw_middle(kit::Ui& ui, Actions& asked);
+  // window_labels.cpp
+  [[nodiscard]] bool draws_labels() const;
+  void draw_label_columns(kit::Ui& ui, const WindowPlaces& places, Actions& asked);
+  [[nodiscard]] kit::TextureId draw_label_ground(const MapGround& wanted, const kit::Ui& ui);
+
   void draw_splitters(kit::Ui& ui, const WindowPlaces& places, Actions& asked);
   void draw_overlays(kit::Ui& ui, Actions& asked);
   void follow_map();
@@ -94,6 +102,8 @@ class GuiWindow {
   bool can_map_be_drawn_ = true;               ///< False: it could not be opened, once.
   std::shared_ptr<TileBudget> tiles_ = std::make_shared<TileBudget>();
   std::array<PaneGround, 2> grounds_;  ///< Of the map, and of the second one of a split view.
+  std::unique_ptr<LabelGround> label_ground_;
+  std::filesystem::path labelled_path_;  ///< That it is of.
   std::unique_ptr<FlightScene> scene_;
   std::set<std::string> complaints_;  ///< About the map that is open.
   bool wants_more_ = false;
@@ -112,6 +122,7 @@ class GuiWindow {
   NoticesState notices_;
   MapViewState map_;
   TimelineState timeline_;
+  LabelSideState label_side_;
   LayersState layers_;
   RunsState runs_;
   BookmarksState bookmarks_;

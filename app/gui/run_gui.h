@@ -16,6 +16,7 @@ namespace nadir {
 /// How the window is opened.
 struct GuiRequest {
   std::vector<std::string> files;  ///< To be opened at once.
+  std::string labels;              ///< To be labelled at once; empty: none.
   SessionPlaces places;
   std::filesystem::path program;   ///< Whose commands make figures; own_program().
   bool restores = true;            ///< Opens what was open last where no files are given.

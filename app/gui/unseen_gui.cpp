@@ -92,7 +92,7 @@ Result<void> run_gui_unseen(const GuiRequest& request,
   ScriptStage& stage = unseen.stage();
   const ScriptLine rest{1, "wait", {"wait"}};
   if (auto opened = run_script_line(rest, stage); !opened) return opened;
-  if (!request.files.empty()) {
+  if (!request.files.empty() || !request.labels.empty()) {
     for (const Error& failure : unseen.failures()) not_opened(failure);
   }
   if (request.script) {

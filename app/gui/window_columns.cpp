@@ -133,9 +133,10 @@ WindowPlaces GuiWindow::arrange(const kit::Ui& ui) {
   wishes.height_px = screen.height;
   wishes.scale = ui.scale();
   wishes.has_frame = is_whole;
-  wishes.has_left = has_content && shows_any(kLeftTabs, layout);
-  wishes.has_right = has_content && shows_any(kRightTabs, layout);
-  wishes.has_timeline = has_content && layout.shows(Panel::kTimeline);
+  const bool labels = draws_labels();
+  wishes.has_left = has_content && (labels || shows_any(kLeftTabs, layout));
+  wishes.has_right = has_content && (labels || shows_any(kRightTabs, layout));
+  wishes.has_timeline = has_content && !labels && layout.shows(Panel::kTimeline);
   wishes.has_status = is_whole && layout.shows(Panel::kStatus);
   wishes.left_pt = layout.left_pt;
   wishes.right_pt = layout.right_pt;
@@ -163,16 +164,23 @@ void GuiWindow::draw_columns(kit::Ui& ui, const WindowPlaces& places, Actions& a
     take_wishes(asked, draw_left_rail(ui, left_rail_model(session_)));
   }
   const WindowLayout& layout = session_.view().layout;
-  draw_column(ui, "Left", places.left, places.left_strip, kLeftTabs, layout, asked,
-              [&] { draw_left(ui, asked); });
+  const bool labels = draws_labels();
+  if (labels) {
+    draw_label_columns(ui, places, asked);
+  } else {
+    draw_column(ui, "Left", places.left, places.left_strip, kLeftTabs, layout, asked,
+                [&] { draw_left(ui, asked); });
+  }
   {
     const auto region =
         ui.region("Middle", places.map,
                   {.surface = kit::Surface::kWindow, .padding = 0.0, .has_scroll = is_empty()});
     draw_middle(ui, asked);
   }
-  draw_column(ui, "Right", places.right, places.right_strip, kRightTabs, layout, asked,
-              [&] { draw_right(ui, asked); });
+  if (!labels) {
+    draw_column(ui, "Right", places.right, places.right_strip, kRightTabs, layout, asked,
+                [&] { draw_right(ui, asked); });
+  }
   if (places.timeline.height > 0.0) {
     const auto region = ui.region("Bottom", places.timeline,
                                   {.padding = ui.px(kTimelinePadding), .has_border = true});

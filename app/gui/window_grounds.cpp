@@ -100,6 +100,7 @@ void GuiWindow::forget_unseen() {
     if (!pane.is_drawn) pane = {};
     pane.is_drawn = false;
   }
+  if (session_.label_desk() == nullptr) label_ground_.reset();
   textures_.end_frame();
 }
 
@@ -108,6 +109,7 @@ std::size_t GuiWindow::drawn_bytes() const {
 }
 
 kit::TextureId GuiWindow::draw_ground(const MapGround& wanted, const kit::Ui& ui) {
+  if (wanted.is_of_labels) return draw_label_ground(wanted, ui);
   GroundPicture& ground = ground_of(wanted);
   GroundContents contents;
   contents.look = session_.resolved_map_look();

@@ -126,20 +126,26 @@ Result<void> StagedOutput::check_replaceable() const {
   return check ? check(target_) : Result<void>();
 }
 
-Result<void> StagedOutput::commit() {
+/// Whether it is there, on the disk, and may take its name.
+Result<void> StagedOutput::check_whole() const {
   std::error_code error;
   if (!fs::exists(staged_, error)) {
     return fail(ErrorCode::kIo, "{}: is gone before it was complete", staged_.string());
   }
   // Before the name, what it stands for: a power cut between the two must not find an empty file.
   if (const auto written = detail::wait_for_disk(staged_); !written) return forward_error(written);
-  if (rule_) {
-    // Others may have worked there since the output was begun.
-    if (const auto free = check_replaceable(); !free) return forward_error(free);
-    if (fs::is_directory(target_, error)) return replace_folder();
-  } else if (fs::is_directory(target_, error)) {
+  // Others may have worked there since the output was begun.
+  if (rule_) return check_replaceable();
+  if (fs::is_directory(target_, error)) {
     return fail(ErrorCode::kIo, "{}: is a folder, not a file", target_.string());
   }
+  return {};
+}
+
+Result<void> StagedOutput::commit() {
+  if (const auto whole = check_whole(); !whole) return forward_error(whole);
+  std::error_code error;
+  if (rule_ && fs::is_directory(target_, error)) return replace_folder();
   fs::rename(staged_, target_, error);
   if (error) return fail(ErrorCode::kIo, "{}: {}", target_.string(), error.message());
   staged_.clear();
@@ -152,6 +158,53 @@ Result<void> StagedOutput::commit_as_new() {
   if (auto named = detail::rename_without_replacing(staged_, target_); !named) return named;
   staged_.clear();
   return detail::wait_for_name(target_);
+}
+
+/// Of a file; what was there before keeps the staged name. Whether there was something.
+Result<bool> StagedOutput::take_name() {
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(target_, error))) {
+    fs::rename(staged_, target_, error);
+    if (error) return fail(ErrorCode::kIo, "{}: {}", target_.string(), error.message());
+    return false;
+  }
+  if (!detail::exchange_names(staged_, target_)) {
+    auto old = detail::replace_in_two_steps(staged_, target_, bystander_of(target_, ".replaced-"));
+    if (!old) return forward_error(old);
+    staged_ = *std::move(old);
+  }
+  return true;
+}
+
+void StagedOutput::give_name_back(bool has_replaced) {
+  std::error_code ignored;
+  if (has_replaced) {
+    fs::rename(staged_, target_, ignored);
+  } else {
+    fs::remove(target_, ignored);
+  }
+}
+
+Result<void> StagedOutput::commit_all(std::span<StagedOutput> files) {
+  for (const StagedOutput& file : files) {
+    NADIR_REQUIRE(!file.rule_);
+    if (const auto whole = file.check_whole(); !whole) return forward_error(whole);
+  }
+  std::vector<bool> has_replaced;
+  for (StagedOutput& file : files) {
+    const auto named = file.take_name();
+    if (!named) {
+      for (std::size_t i = has_replaced.size(); i-- > 0;) files[i].give_name_back(has_replaced[i]);
+      return forward_error(named);
+    }
+    has_replaced.push_back(*named);
+  }
+  for (StagedOutput& file : files) {
+    std::error_code ignored;
+    fs::remove(std::exchange(file.staged_, {}), ignored);
+    if (auto named = detail::wait_for_name(file.target_); !named) return named;
+  }
+  return {};
 }
 
 /// A folder cannot be renamed over a filled one. The two change names, and the old one, which then

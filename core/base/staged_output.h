@@ -56,6 +56,10 @@ class StagedOutput {
   [[nodiscard]] Result<void> commit();
   /// The same for a file() that must not replace anything. @errors kIo also where something has its name by now.
   [[nodiscard]] Result<void> commit_as_new();
+  /// Several files that belong together, in their order: all get their names, or where one of them cannot, all have what was
+  /// there before. Between the first and the last another program, or a power cut, may see some of them.
+  /// @errors as commit().
+  [[nodiscard]] static Result<void> commit_all(std::span<StagedOutput> files);
 
  private:
   /// Which folders may give way.
@@ -70,6 +74,9 @@ class StagedOutput {
       : target_(std::move(target)), rule_(std::move(rule)) {}
 
   [[nodiscard]] Result<void> check_replaceable() const;
+  [[nodiscard]] Result<void> check_whole() const;
+  [[nodiscard]] Result<bool> take_name();
+  void give_name_back(bool has_replaced);
   [[nodiscard]] Result<void> replace_folder();
 
   std::filesystem::path target_;

@@ -1,15 +1,18 @@
 # Headers that only sources of core include: they are not installed, and no header that is installed includes one.
 # tests/architecture/check_includes.cmake checks that, and that everything in nadir::detail is listed.
 set(NADIR_PRIVATE_HEADERS
+  core/assist/joined_pieces.h
   core/base/bystanders.h
   core/base/durability.h
   core/base/sqlite_database.h
   core/base/zstd.h
   core/desk/file_stamp.h
   core/edit/border_chains.h
+  core/edit/box_tree.h
   core/edit/edge_tree.h
   core/edit/edit_builder.h
   core/edit/geos_geometry.h
+  core/edit/near_places.h
   core/eval/report_keys.h
   core/exchange/export_writers.h
   core/exchange/object_maker.h
@@ -24,6 +27,7 @@ set(NADIR_PRIVATE_HEADERS
   core/flight/kitti_raw_text.h
   core/flight/text_fields.h
   core/geo/number_lines.h
+  core/insight/view_matcher.h
   core/label/byte_reader.h
   core/label/cell_fill.h
   core/label/label_blobs.h

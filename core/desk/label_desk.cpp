@@ -41,12 +41,13 @@ UnderPlace LabelDesk::under(const Eigen::Vector2d& point_in_enu_m) const {
 
 std::optional<std::string> LabelDesk::undo_title() const {
   if (!points_.empty()) return "Last place";
+  if (image_tool_.is_told()) return "Last stroke";
   return sheet_.undo_title();
 }
 
 std::optional<std::string> LabelDesk::redo_title() const {
   if (points_.can_give_again()) return "Place";
-  return points_.empty() ? sheet_.redo_title() : std::nullopt;
+  return points_.empty() && !image_tool_.is_told() ? sheet_.redo_title() : std::nullopt;
 }
 
 Result<void> LabelDesk::undo() {
@@ -57,6 +58,10 @@ Result<void> LabelDesk::undo() {
     } else {
       points_.take_back();
     }
+    return {};
+  }
+  if (image_tool_.is_told()) {
+    image_tool_.take_back(tool_);
     return {};
   }
   auto undone = sheet_.undo();
@@ -71,7 +76,9 @@ Result<void> LabelDesk::redo() {
     points_.give_again();
     return {};
   }
-  if (!points_.empty()) return fail(ErrorCode::kInvalidOptions, "there is nothing to do again");
+  if (!points_.empty() || image_tool_.is_told()) {
+    return fail(ErrorCode::kInvalidOptions, "there is nothing to do again");
+  }
   auto redone = sheet_.redo();
   if (redone) follow_document();
   return redone;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/desk/image_tool.h"
 #include "core/desk/label_selection.h"
 #include "core/desk/label_sheet.h"
 #include "core/desk/tool_points.h"
@@ -81,6 +82,16 @@ class LabelDesk {
   /// Drops the places, or else the selection, or else goes back to selecting. @returns whether there was anything.
   bool cancel();
 
+  // Tools that look at the image (label_desk_image.cpp), which the caller has opened on the sheet's plane.
+  /// To be called with the hand's place before such a tool is used, and as it moves; reads only where it must. Does nothing for
+  /// other tools. @errors as ImageTool::look().
+  [[nodiscard]] Result<void> look_at_image(const OverheadTiles& image,
+                                           const Eigen::Vector2d& hand_in_enu_m);
+  void look_away() { image_tool_.look_away(); }  ///< For another image.
+  /// Of wand, superpixels and GrabCut: one stroke more. finish() makes the edit of what they have found.
+  [[nodiscard]] Result<void> tell_image(const ImageStroke& stroke);
+  [[nodiscard]] const ImageTool& image_tool() const { return image_tool_; }
+
   // What is selected (label_desk_select.cpp).
   [[nodiscard]] const LabelSelection& selection() const { return selection_; }
   [[nodiscard]] const std::vector<PickedVertex>& picked() const { return picked_; }
@@ -140,6 +151,7 @@ class LabelDesk {
                                                  double reach_m) const;
   /// What a drag would leave, for the eye only; empty where it cannot be.
   [[nodiscard]] std::vector<LabelObject> coming_move(const Eigen::Vector2d& by_m) const;
+  [[nodiscard]] std::vector<LabelObject> coming_picked(const Eigen::Vector2d& by_m) const;
   [[nodiscard]] std::vector<LabelObject> coming_vertex(const VertexRef& vertex,
                                                        const Eigen::Vector2d& to) const;
 
@@ -147,16 +159,21 @@ class LabelDesk {
   explicit LabelDesk(LabelSheet sheet) : sheet_(std::move(sheet)) {}
   enum class Chooses { kWhatWasMade, kAsBefore };
   [[nodiscard]] Result<void> take(const Result<LabelEdit>& edit, Chooses chooses);
+  [[nodiscard]] Result<void> take_picked_along(const Result<LabelEdit>& edit);
   [[nodiscard]] Result<void> needs_selection() const;
   void follow_document();
   [[nodiscard]] SharedBorders shared() const;
   [[nodiscard]] Result<void> finish_ring(const Ring& places);
   [[nodiscard]] Result<const StreetProfile*> profile() const;
+  [[nodiscard]] Result<void> add_scissored(const Eigen::Vector2d& hand_in_enu_m, double reach_m);
+  [[nodiscard]] Ring coming_line(const ToolPoint& next) const;
+  [[nodiscard]] Result<void> finish_found();
   [[nodiscard]] std::optional<ObjectId> object_for_hole(const Ring& hole) const;
 
   LabelSheet sheet_;
   LabelTool tool_;
   ToolPoints points_;
+  ImageTool image_tool_;
   std::vector<StreetProfile> profiles_;
   LabelSelection selection_;
   std::vector<PickedVertex> picked_;

@@ -119,28 +119,13 @@ Result<void> LabelDesk::subtract() {
     return fail(ErrorCode::kInvalidOptions,
                 "subtracting needs two objects, of which the first stays");
   }
-  // Of what the first has become each time, as one step.
-  LabelDocument document = sheet_.now();
-  for (std::size_t i = 1; i < chosen.size() && document.object(chosen.front()) != nullptr; ++i) {
-    const auto edit = nadir::subtract(document, chosen.front(), chosen[i]);
-    if (!edit) return forward_error(edit);
-    document.apply(*edit);
-  }
-  return take(difference(sheet_.now(), document, "Subtract"), Chooses::kAsBefore);
+  return take(nadir::subtract(sheet_.now(), chosen.front(), std::span(chosen).subspan(1)),
+              Chooses::kAsBefore);
 }
 
 Result<void> LabelDesk::clip(ClipSide side) {
   if (auto any = needs_selection(); !any) return any;
-  LabelDocument document = sheet_.now();
-  for (const ObjectId id : selection_.ids()) {
-    if (document.object(id) == nullptr) continue;  // Covered by one before.
-    const auto edit = nadir::clip(document, id, side);
-    if (!edit) return forward_error(edit);
-    document.apply(*edit);
-  }
-  return take(
-      difference(sheet_.now(), document, side == ClipSide::kThis ? "Clip" : "Clip neighbours"),
-      Chooses::kAsBefore);
+  return take(nadir::clip(sheet_.now(), selection_.ids(), side), Chooses::kAsBefore);
 }
 
 Result<void> LabelDesk::split(const Ring& line) {

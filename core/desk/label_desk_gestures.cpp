@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <map>
 #include <memory>
-#include <set>
 #include <utility>
 
 #include "core/desk/label_desk.h"
-#include "core/edit/polygon_algebra.h"
 #include "core/label/edit_paint.h"
 #include "core/label/paint_objects.h"
 
@@ -23,6 +20,13 @@ bool is_finite(const Ring& places) {
 Result<void> needs_picked(const std::vector<PickedVertex>& picked) {
   if (!picked.empty()) return {};
   return fail(ErrorCode::kInvalidOptions, "no corner is picked");
+}
+
+std::vector<VertexRef> places_of(const std::vector<PickedVertex>& picked) {
+  std::vector<VertexRef> vertices;
+  vertices.reserve(picked.size());
+  for (const PickedVertex& one : picked) vertices.push_back(one.at);
+  return vertices;
 }
 
 std::string words_of_paint(PaintValue value, const char* verb) {
@@ -78,15 +82,7 @@ Result<void> LabelDesk::recode(ClassId from, ClassId to, const std::optional<Rin
 }
 
 Result<void> LabelDesk::move_vertex(const VertexRef& vertex, const Eigen::Vector2d& to) {
-  const auto is_it = [&](const PickedVertex& picked) { return picked.at == vertex; };
-  const bool was_picked = std::any_of(picked_.begin(), picked_.end(), is_it);
-  auto moved = take(nadir::move_vertex(sheet_.now(), vertex, to, shared()), Chooses::kAsBefore);
-  if (!moved || !was_picked) return moved;
-  // It stays picked where it is now.
-  std::erase_if(picked_, is_it);
-  picked_.push_back({vertex, on_lattice(to)});
-  follow_document();
-  return moved;
+  return take_picked_along(nadir::move_vertex(sheet_.now(), vertex, to, shared()));
 }
 
 Result<void> LabelDesk::add_vertex(const VertexRef& before, const Eigen::Vector2d& at) {
@@ -96,35 +92,37 @@ Result<void> LabelDesk::add_vertex(const VertexRef& before, const Eigen::Vector2
 Result<void> LabelDesk::move_picked(const Eigen::Vector2d& by_m) {
   if (auto any = needs_picked(picked_); !any) return any;
   if (!by_m.allFinite()) return fail(ErrorCode::kInvalidOptions, "the shift is no number");
-  std::set<VertexRef> vertices;
-  for (const PickedVertex& picked : picked_) {
-    vertices.insert(picked.at);
-    if (!tool_.shares_borders) continue;
-    for (const VertexRef& shared : sheet_.places().at(picked.in_enu_m)) vertices.insert(shared);
+  return take_picked_along(move_vertices(sheet_.now(), places_of(picked_), by_m, shared()));
+}
+
+/// Corners that were picked are picked where they are now, unless their ring has got or lost some.
+Result<void> LabelDesk::take_picked_along(const Result<LabelEdit>& edit) {
+  if (!edit) return forward_error(edit);
+  const std::vector<PickedVertex> earlier = picked_;
+  if (auto done = take(edit, Chooses::kAsBefore); !done) return done;
+  std::map<ObjectId, const ObjectChange*> changes;
+  for (const ObjectChange& change : edit->objects) {
+    if (change.before != nullptr) changes[change.before->id] = &change;
   }
-  std::map<ObjectId, LabelObject> objects;
-  for (const VertexRef& vertex : vertices) {
-    const auto before = sheet_.now().object(vertex.object);
-    LabelObject& object = objects.try_emplace(vertex.object, *before).first->second;
-    Eigen::Vector2d& place = object.rings[vertex.ring][vertex.place];
-    place = on_lattice(place + by_m);  // The same sum wherever it is shared.
+  picked_.clear();
+  for (PickedVertex picked : earlier) {
+    const auto change = changes.find(picked.at.object);
+    if (change != changes.end()) {
+      const auto& [before, after] = *change->second;
+      const bool has_same_places =
+          after != nullptr && after->rings.size() == before->rings.size() &&
+          after->rings[picked.at.ring].size() == before->rings[picked.at.ring].size();
+      if (!has_same_places) continue;
+      picked.in_enu_m = after->rings[picked.at.ring][picked.at.place];
+    }
+    picked_.push_back(picked);
   }
-  LabelEdit edit{.title = "Move corners", .objects = {}, .tiles = {}, .values = {}};
-  for (auto& [id, object] : objects) {
-    edit.objects.push_back(
-        {sheet_.now().object(id), std::make_shared<const LabelObject>(std::move(object))});
-  }
-  std::vector<PickedVertex> after = picked_;
-  for (PickedVertex& picked : after) picked.in_enu_m = on_lattice(picked.in_enu_m + by_m);
-  auto moved = take(edit, Chooses::kAsBefore);
-  if (moved) picked_ = std::move(after);
-  return moved;
+  return {};
 }
 
 Result<void> LabelDesk::remove_picked() {
   if (auto any = needs_picked(picked_); !any) return any;
-  std::vector<VertexRef> vertices;
-  for (const PickedVertex& picked : picked_) vertices.push_back(picked.at);
+  const std::vector<VertexRef> vertices = places_of(picked_);
   auto removed = take(remove_vertices(sheet_.now(), vertices, shared()), Chooses::kAsBefore);
   if (removed) picked_.clear();
   return removed;
@@ -151,6 +149,10 @@ std::optional<Snap> LabelDesk::snap_dragged(const Eigen::Vector2d& point_in_enu_
 
 std::vector<LabelObject> LabelDesk::coming_move(const Eigen::Vector2d& by_m) const {
   return objects_after(move_objects(sheet_.now(), selection_.ids(), by_m));
+}
+
+std::vector<LabelObject> LabelDesk::coming_picked(const Eigen::Vector2d& by_m) const {
+  return objects_after(move_vertices(sheet_.now(), places_of(picked_), by_m, shared()));
 }
 
 std::vector<LabelObject> LabelDesk::coming_vertex(const VertexRef& vertex,

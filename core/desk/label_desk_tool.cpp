@@ -37,12 +37,12 @@ Ring circle_of(const Ring& places) {
   return circle(places[0], (places[1] - places[0]).norm(), kCirclePlaces);
 }
 
-/// On which borders a place lies: an edge is told by both of its ends.
+/// On which borders a place lies now: what it snapped to may have changed since, and neighbours share it.
 std::vector<VertexRef> borders_at(const ToolPoint& point, const SnapIndex& index) {
   std::vector<VertexRef> borders;
   if (!point.snap) return borders;
-  if (point.snap->kind == SnapKind::kVertex) borders = index.at(point.snap->in_enu_m);
-  if (point.snap->kind == SnapKind::kEdge) borders.push_back(point.snap->at);
+  if (point.snap->kind == SnapKind::kVertex) borders = index.at(point.in_enu_m);
+  if (point.snap->kind == SnapKind::kEdge) borders = index.edges_at(point.in_enu_m);
   if (borders.size() > kMostBorderCandidates) borders.resize(kMostBorderCandidates);
   return borders;
 }
@@ -53,7 +53,13 @@ Result<void> LabelDesk::set_tool(const LabelTool& tool) {
   if (auto valid = validate(tool); !valid) return valid;
   if (tool.kind != tool_.kind) {
     points_.clear();
+    image_tool_.clear();
     if (tool.kind != ToolKind::kVertices) picked_.clear();
+  }
+  const bool finds_so = tool.wand == tool_.wand && tool.superpixels == tool_.superpixels &&
+                        tool.grab_cut == tool_.grab_cut;
+  if (!finds_so) {
+    if (auto found = image_tool_.tell_again(tool); !found) return found;
   }
   tool_ = tool;
   return {};
@@ -76,6 +82,12 @@ Result<void> LabelDesk::add_point(const Eigen::Vector2d& hand_in_enu_m,
       return {};
     case ToolKind::kFill:
       return fill(hand_in_enu_m, paint_value(tool_));
+    case ToolKind::kWand:
+    case ToolKind::kSuperpixels:
+    case ToolKind::kGrabCut:
+      return tell_image({{hand_in_enu_m}, how == SelectHow::kRemove || how == SelectHow::kToggle});
+    case ToolKind::kScissors:
+      return add_scissored(hand_in_enu_m, reach_m);
     default:
       break;
   }
@@ -133,15 +145,25 @@ Result<void> LabelDesk::add_traced(const Eigen::Vector2d& hand_in_enu_m,
 
 std::vector<LabelObject> LabelDesk::coming(const Eigen::Vector2d& hand_in_enu_m,
                                            double reach_m) const {
+  const ClassId class_id = tool_.class_id.id;
+  if (image_tool_.is_told()) {
+    LabelObject found = shown(ObjectKind::kArea, class_id, 0.0, {});
+    found.rings = image_tool_.borders();
+    return {found};
+  }
   if (points_.empty()) return {};
   const ToolPoint next = aim(hand_in_enu_m, reach_m);
   Ring places = points_.ring();
+  if (tool_.kind == ToolKind::kScissors) {
+    const Ring line = coming_line(next);
+    places.insert(places.end(), line.begin(), line.end());
+  }
   if (!next.closes && places.back() != next.in_enu_m) places.push_back(next.in_enu_m);
-  const ClassId class_id = tool_.class_id.id;
   if (places.size() < least_points(tool_.kind)) return {guide(class_id, std::move(places))};
   switch (tool_.kind) {
     case ToolKind::kArea:
     case ToolKind::kRecode:
+    case ToolKind::kScissors:
       return {shown(ObjectKind::kArea, class_id, 0.0, std::move(places))};
     case ToolKind::kRectangle:
       return {shown(ObjectKind::kArea, class_id, 0.0, rectangle_of(places))};
@@ -181,6 +203,7 @@ Result<void> LabelDesk::finish() {
       tool_.kind == ToolKind::kFill) {
     return {};
   }
+  if (finds_on_image(tool_.kind)) return finish_found();
   Ring places = points_.ring();
   const bool is_everywhere = tool_.kind == ToolKind::kRecode && places.empty();
   const std::size_t least = least_points(tool_.kind);
@@ -197,6 +220,7 @@ Result<void> LabelDesk::finish_ring(const Ring& places) {
   const ClassId class_id = tool_.class_id.id;
   switch (tool_.kind) {
     case ToolKind::kArea:
+    case ToolKind::kScissors:
       return draw({ObjectKind::kArea, class_id, 0.0}, places);
     case ToolKind::kRectangle:
       return draw({ObjectKind::kArea, class_id, 0.0}, rectangle_of(places));
@@ -233,11 +257,10 @@ Result<void> LabelDesk::finish_ring(const Ring& places) {
 }
 
 bool LabelDesk::cancel() {
-  if (!points_.empty()) {
-    points_.clear();
-    return true;
-  }
+  const bool is_at_work = !points_.empty() || image_tool_.is_told();
   points_.clear();
+  image_tool_.clear();
+  if (is_at_work) return true;
   if (!picked_.empty() || !selection_.empty()) {
     picked_.clear();
     selection_.clear();

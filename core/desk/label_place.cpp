@@ -2,7 +2,10 @@
 #include "core/desk/label_place.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "core/base/require.h"
@@ -62,6 +65,28 @@ Result<LabelPlace> place_in_package(const fs::path& package) {
   return place;
 }
 
+/// The picture beside IMAGE.labels.gpkg; empty where there is none.
+fs::path image_of_document(const fs::path& document) {
+  constexpr std::string_view kOfImage = ".labels";
+  constexpr std::array kEndings{".tif",  ".tiff", ".png", ".jpg",
+                                ".jpeg", ".webp", ".jp2", ".mbtiles"};
+  const std::string stem = document.stem().string();
+  if (stem.size() <= kOfImage.size() || !stem.ends_with(kOfImage)) return {};
+  const std::string image = stem.substr(0, stem.size() - kOfImage.size());
+  for (const std::string_view ending : kEndings) {
+    for (const bool is_upper : {false, true}) {
+      std::string name = image + std::string(ending);
+      if (is_upper) {
+        std::transform(name.begin() + static_cast<std::ptrdiff_t>(image.size()), name.end(),
+                       name.begin() + static_cast<std::ptrdiff_t>(image.size()),
+                       [](unsigned char letter) { return std::toupper(letter); });
+      }
+      if (is_there(document.parent_path() / name)) return document.parent_path() / name;
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<LabelPlace> find_label_place(const fs::path& named, const ImageOptions& image) {
@@ -75,6 +100,7 @@ Result<LabelPlace> find_label_place(const fs::path& named, const ImageOptions& i
     place.document = named;
     const fs::path below = named.parent_path() / "image.tif";
     if (is_package(named.parent_path()) && is_there(below)) place.image = below;
+    if (place.image.empty()) place.image = image_of_document(named);
     return place;
   }
   const fs::path folder = named.has_parent_path() ? named.parent_path() : fs::path(".");

@@ -25,7 +25,8 @@ struct LabelPlace {
 };
 
 /// - A map package: PACKAGE/labels.gpkg. Where that is not there, the labels of labels.tif are taken over as paint.
-/// - A labelling document, *.gpkg: itself.
+/// - A labelling document, *.gpkg: itself, over the picture of the package that it lies in; over the picture IMAGE.tif, .png,
+///   .jpg, ... beside it where it is called IMAGE.labels.gpkg.
 /// - An overhead image that says, or of which `image` says, where it lies, in any format of open_overhead_image(): IMAGE.labels.gpkg beside it, IMAGE without its
 ///   ending; one that lies in a package means the package. A new document lies on a plane centred on the image, with the
 ///   image's resolution on the ground.

@@ -6,12 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "core/desk/select_how.h"
 #include "core/label/label_document.h"
 
 namespace nadir {
-
-/// What choosing does to what was chosen before.
-enum class SelectHow { kInstead, kAdd, kRemove, kToggle };
 
 /// Objects that were chosen, in the order of choosing.
 class LabelSelection {

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -210,6 +211,15 @@ Result<std::vector<LabelStep>> LabelSheet::history(std::int64_t first, int count
   const auto& store = implementation_->store;
   if (!store) return std::vector<LabelStep>{};
   return store->history(first, count);
+}
+
+Result<std::vector<LabelEdit>> LabelSheet::way(const LabelDocument& document,
+                                               std::int64_t from,
+                                               std::int64_t to) const {
+  const auto& store = implementation_->store;
+  if (store) return store->way(document, from, to);
+  if (from == 0 && to == 0) return std::vector<LabelEdit>{};
+  return fail(ErrorCode::kInvalidOptions, "there is no step {}", std::max(from, to));
 }
 
 Result<std::vector<std::string>> LabelSheet::Implementation::open_again() {

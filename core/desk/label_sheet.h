@@ -71,6 +71,10 @@ class LabelSheet {
   /// Number of the step that it stands at; 0 before the first.
   [[nodiscard]] std::int64_t step() const;
   [[nodiscard]] Result<std::vector<LabelStep>> history(std::int64_t first, int count) const;
+  /// As LabelStore::way(); a document that is not on disk has one step only, 0.
+  [[nodiscard]] Result<std::vector<LabelEdit>> way(const LabelDocument& document,
+                                                   std::int64_t from,
+                                                   std::int64_t to) const;
 
   /// Takes over what other programs have written meanwhile; about once a second. A document that was opened for reading, or
   /// that was not there, is opened again, and can be edited from then on if nobody else has it. One whose file has lost its

@@ -72,6 +72,7 @@ std::size_t least_points(ToolKind kind) {
     case ToolKind::kRectangle:
     case ToolKind::kHole:
     case ToolKind::kRecode:
+    case ToolKind::kScissors:
       return 3;
     case ToolKind::kLine:
     case ToolKind::kCircle:
@@ -85,11 +86,15 @@ std::size_t least_points(ToolKind kind) {
 
 bool draws_ring(ToolKind kind) {
   return kind == ToolKind::kArea || kind == ToolKind::kOutline || kind == ToolKind::kHole ||
-         kind == ToolKind::kRecode;
+         kind == ToolKind::kRecode || kind == ToolKind::kScissors;
 }
 
 bool draws_freely(ToolKind kind) {
   return kind == ToolKind::kBrush || kind == ToolKind::kEraser || kind == ToolKind::kFill;
+}
+
+bool finds_on_image(ToolKind kind) {
+  return kind == ToolKind::kWand || kind == ToolKind::kSuperpixels || kind == ToolKind::kGrabCut;
 }
 
 }  // namespace nadir

@@ -5,6 +5,10 @@
 #include <string>
 #include <string_view>
 
+#include "core/assist/grab_cut.h"
+#include "core/assist/magic_wand.h"
+#include "core/assist/scissors.h"
+#include "core/assist/superpixels.h"
 #include "core/base/field.h"
 #include "core/label/label_object.h"
 #include "core/label/label_paint.h"
@@ -12,27 +16,32 @@
 namespace nadir {
 
 enum class ToolKind {
-  kSelect,     ///< A place selects what lies there.
-  kVertices,   ///< A place picks what corner is there.
-  kArea,       ///< Corners, as many as it takes.
-  kLine,       ///< Places along its middle.
-  kOutline,    ///< Corners, as an area.
-  kRectangle,  ///< Its first edge, and how far it reaches beside it: three places.
-  kCircle,     ///< Middle and rim: two places.
-  kStreet,     ///< Places along the middle of a street, which becomes lines by its profile.
-  kHole,       ///< Corners of a hole in what is selected, or lies around it.
-  kSplit,      ///< A line across what is selected, or all that it meets.
-  kBrush,      ///< A stroke of paint.
-  kEraser,     ///< A stroke that takes paint away.
-  kFill,       ///< A place: the cells of one class that hang together with it.
-  kRecode,     ///< Corners of where one class becomes another.
-  kMeasure,    ///< Places of a way or around a piece of ground; changes nothing.
+  kSelect,       ///< A place selects what lies there.
+  kVertices,     ///< A place picks what corner is there.
+  kArea,         ///< Corners, as many as it takes.
+  kLine,         ///< Places along its middle.
+  kOutline,      ///< Corners, as an area.
+  kRectangle,    ///< Its first edge, and how far it reaches beside it: three places.
+  kCircle,       ///< Middle and rim: two places.
+  kStreet,       ///< Places along the middle of a street, which becomes lines by its profile.
+  kHole,         ///< Corners of a hole in what is selected, or lies around it.
+  kSplit,        ///< A line across what is selected, or all that it meets.
+  kBrush,        ///< A stroke of paint.
+  kEraser,       ///< A stroke that takes paint away.
+  kFill,         ///< A place: the cells of one class that hang together with it.
+  kRecode,       ///< Corners of where one class becomes another.
+  kMeasure,      ///< Places of a way or around a piece of ground; changes nothing.
+  kWand,         ///< Places: what of the image hangs together with them and is of their colour.
+  kSuperpixels,  ///< Strokes over pieces of the image.
+  kGrabCut,      ///< A rectangle, then strokes on what of the image is wanted and what is not.
+  kScissors,     ///< Corners of an area, between which its border follows edges of the image.
 };
 template <>
 struct EnumNames<ToolKind> {
-  static constexpr std::array<std::string_view, 15> kNames = {
-      "select", "vertices", "area",  "line",   "outline", "rectangle", "circle", "street",
-      "hole",   "split",    "brush", "eraser", "fill",    "recode",    "measure"};
+  static constexpr std::array<std::string_view, 19> kNames = {
+      "select",  "vertices", "area",        "line",     "outline", "rectangle", "circle",
+      "street",  "hole",     "split",       "brush",    "eraser",  "fill",      "recode",
+      "measure", "wand",     "superpixels", "grab-cut", "scissors"};
 };
 
 enum class BrushUnit {
@@ -42,6 +51,13 @@ enum class BrushUnit {
 template <>
 struct EnumNames<BrushUnit> {
   static constexpr std::array<std::string_view, 2> kNames = {"metres", "cells"};
+};
+
+/// What becomes of what was found on the image.
+enum class FoundAs { kPaint, kAreas };
+template <>
+struct EnumNames<FoundAs> {
+  static constexpr std::array<std::string_view, 2> kNames = {"paint", "areas"};
 };
 
 /// A class as an option: by its name, or "unclassified".
@@ -79,11 +95,18 @@ struct LabelTool {
   double brush_radius_m = 1.0;
   double brush_radius_cells = 10.0;
   bool paints_over = false;  ///< Whether the brush covers what lies above its class.
-  PlainText street_profile{"street"};
+  PlainText street_profile{"residential street"};
   bool snaps = true;
   bool shares_borders = true;  ///< Whether borders that others share move together.
   double simplify_m = 0.1;
   double straighten_deg = 20.0;
+  AssistWindowOptions assist;  ///< What the last four kinds look at.
+  WandOptions wand;
+  SuperpixelOptions superpixels;
+  GrabCutOptions grab_cut;
+  ScissorsOptions scissors;
+  FoundAs found_as = FoundAs::kPaint;
+  DrawCellsOptions found;
   friend bool operator==(const LabelTool&, const LabelTool&) = default;
 };
 
@@ -109,6 +132,13 @@ void visit_fields(Options& tool, Visitor&& visit) requires
         Field{"simplify", "m", "How far simplifying may move a border", 0.001, 100.0});
   visit(tool.straighten_deg,
         Field{"straighten", "deg", "How far from right angles edges are made square", 0.1, 45.0});
+  visit_fields(tool.assist, visit);
+  visit_fields(tool.wand, visit);
+  visit_fields(tool.superpixels, visit);
+  visit_fields(tool.grab_cut, visit);
+  visit_fields(tool.scissors, visit);
+  visit(tool.found_as, Field{"found-as", "", "What becomes of what was found on the image"});
+  visit_fields(tool.found, visit);
 }
 
 /// Takes a class into use; the one before can be had back.
@@ -128,5 +158,7 @@ void toggle_class(LabelTool& tool);
 [[nodiscard]] bool draws_ring(ToolKind kind);
 /// Whether it takes no places but those under the hand, as a brush does.
 [[nodiscard]] bool draws_freely(ToolKind kind);
+/// Whether it finds pieces of the image by strokes (ImageTool).
+[[nodiscard]] bool finds_on_image(ToolKind kind);
 
 }  // namespace nadir

@@ -12,11 +12,6 @@
 namespace nadir {
 namespace {
 
-/// Areas are equal when they differ by no more than rounding to the lattice may make of them.
-bool is_equal_area(double a_m2, double b_m2) {
-  return std::abs(a_m2 - b_m2) <= 1e-5 + 1e-9 * std::abs(a_m2);
-}
-
 Result<const LabelObject*> found_object(const LabelDocument& document, ObjectId id) {
   const auto found = selected_objects(document, std::span(&id, 1));
   if (!found) return forward_error(found);
@@ -31,49 +26,32 @@ Result<const LabelObject*> found_area(const LabelDocument& document, ObjectId id
   return found;
 }
 
-/// Takes a region from an object, of which its pieces remain. Whether it changes anything.
-Result<bool> take_from(EditBuilder& builder, const LabelObject& object, const Region& region) {
-  if (!is_closed(object.kind)) {
-    std::vector<std::vector<Ring>> outside;
-    const CutLine done = cut(object.rings.front(), region);
-    for (const CutLine::Piece& piece : done.pieces) {
-      if (!piece.is_inside) outside.push_back({piece.places});
-    }
-    if (outside.size() == done.pieces.size()) return false;
-    builder.replace(object.id, std::move(outside));
-    return true;
-  }
-  const auto whole = region_of(object);
-  if (!whole) return forward_error(whole, object_name(object));
-  auto rest = without(*whole, region);
-  if (!rest) return forward_error(rest, object_name(object));
-  if (is_equal_area(area_m2(*whole), area_m2(*rest))) return false;
-  std::stable_sort(rest->parts.begin(), rest->parts.end(),
-                   [](const auto& a, const auto& b) { return area_m2({{a}}) > area_m2({{b}}); });
-  builder.replace(object.id, std::move(rest->parts));
-  return true;
-}
-
-/// Lines put together end to end; nothing where they are not one.
+/// Lines put together end to end, each in turn at the end of the first and then at its beginning; nothing where they are not
+/// one. O(places).
 std::optional<Ring> one_line(std::vector<Ring> lines) {
+  PlaceMap<std::vector<std::size_t>> ends;
+  for (std::size_t i = lines.size(); i-- > 1;) {
+    ends[lines[i].front()].push_back(i);
+    ends[lines[i].back()].push_back(i);
+  }
+  std::vector<bool> is_used(lines.size(), false);
+  std::size_t used = 1;
   Ring line = std::move(lines.front());
-  lines.erase(lines.begin());
-  while (!lines.empty()) {
-    bool has_grown = false;
-    for (std::size_t i = 0; i < lines.size() && !has_grown; ++i) {
-      Ring& next = lines[i];
-      const bool is_at_end = next.front() == line.back() || next.back() == line.back();
-      const bool is_at_begin = next.front() == line.front() || next.back() == line.front();
-      if (!is_at_end && !is_at_begin) continue;
-      has_grown = true;
-      if (!is_at_end) std::reverse(line.begin(), line.end());
+  for (const bool is_end : {true, false}) {
+    if (!is_end) std::reverse(line.begin(), line.end());
+    for (auto at = ends.find(line.back()); at != ends.end(); at = ends.find(line.back())) {
+      std::vector<std::size_t>& candidates = at->second;
+      while (!candidates.empty() && is_used[candidates.back()]) candidates.pop_back();
+      if (candidates.empty()) break;
+      Ring& next = lines[candidates.back()];
+      is_used[candidates.back()] = true;
+      ++used;
       if (next.front() != line.back()) std::reverse(next.begin(), next.end());
       line.insert(line.end(), next.begin() + 1, next.end());
-      if (!is_at_end) std::reverse(line.begin(), line.end());
-      lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(i));
     }
-    if (!has_grown) return std::nullopt;
+    if (!is_end) std::reverse(line.begin(), line.end());
   }
+  if (used < lines.size()) return std::nullopt;
   return line;
 }
 
@@ -181,61 +159,6 @@ Result<LabelEdit> merge(const LabelDocument& document, std::span<const ObjectId>
   }
   builder.change(first.id).rings = std::move(rings);
   builder.share_new_places();
-  return builder.edit();
-}
-
-Result<LabelEdit> subtract(const LabelDocument& document, ObjectId from, ObjectId cut) {
-  const auto object = found_object(document, from);
-  if (!object) return forward_error(object);
-  const auto other = found_object(document, cut);
-  if (!other) return forward_error(other);
-  if (from == cut) return fail(ErrorCode::kInvalidOptions, "an object cannot be cut by itself");
-  const auto region = region_of(**other);
-  if (!region) return forward_error(region, object_name(**other));
-  EditBuilder builder(document, "Subtract");
-  const auto has_cut = take_from(builder, **object, *region);
-  if (!has_cut) return forward_error(has_cut);
-  if (*has_cut) builder.share_new_places();
-  return builder.edit();
-}
-
-Result<LabelEdit> clip(const LabelDocument& document, ObjectId object, ClipSide side) {
-  const auto area = found_area(document, object);
-  if (!area) return forward_error(area);
-  const PlaneBounds bounds = drawn_bounds(**area);
-  const std::int64_t level = level_of_order((*area)->order);
-  std::vector<const LabelObject*> others;
-  for (const auto& [id, placed] : document.objects()) {
-    const LabelObject& other = *placed.object;
-    const std::int64_t others_level = level_of_order(other.order);
-    const bool counts = side == ClipSide::kThis ? others_level >= level : others_level <= level;
-    if (id != object && counts && is_closed(other.kind) && do_meet(placed.bounds, bounds))
-      others.push_back(&other);
-  }
-  EditBuilder builder(document, "Clip");
-  bool has_cut = false;
-  if (side == ClipSide::kThis) {
-    std::vector<Region> regions;
-    for (const LabelObject* const other : others) {
-      auto region = region_of(*other);
-      if (!region) return forward_error(region, object_name(*other));
-      regions.push_back(std::move(*region));
-    }
-    const auto all = united(regions);
-    if (!all) return forward_error(all, "Clip");
-    const auto taken = take_from(builder, **area, *all);
-    if (!taken) return forward_error(taken);
-    has_cut = *taken;
-  } else {
-    const auto region = region_of(**area);
-    if (!region) return forward_error(region, object_name(**area));
-    for (const LabelObject* const other : others) {
-      const auto taken = take_from(builder, *other, *region);
-      if (!taken) return forward_error(taken);
-      has_cut = has_cut || *taken;
-    }
-  }
-  if (has_cut) builder.share_new_places();
   return builder.edit();
 }
 

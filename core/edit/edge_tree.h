@@ -52,7 +52,7 @@ using PlaceMap = std::unordered_map<Eigen::Vector2d, T, PlaceHash>;
 /// Positive where it turns to the left.
 [[nodiscard]] double signed_area_m2(const Ring& ring);
 
-/// Edges of rings by where they lie, for rings of millions of places. Private to this module.
+/// Edges of rings by where they lie, for rings of millions of places. Private to core.
 class EdgeTree {
  public:
   /// O(places). @param rings  Must outlive the tree and stay as they are.

@@ -8,59 +8,20 @@
 
 #include "core/base/require.h"
 #include "core/edit/edge_tree.h"
-#include "core/edit/polygon_algebra.h"
+#include "core/edit/near_places.h"
 
 namespace nadir {
 namespace {
 
-/// How far rounding may put a place from a border that it was on.
-constexpr double kTouchM = 2.0 * kLatticeM;
-
-/// Places in order of x, to be found near others.
-class PlacesByX {
- public:
-  explicit PlacesByX(std::vector<Eigen::Vector2d> places) : places_(std::move(places)) {
-    std::sort(places_.begin(), places_.end(), lies_before);
-    places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
-    for (const Eigen::Vector2d& place : places_) bounds_.include(place);
-    bounds_.grow(kTouchM);
-  }
-  [[nodiscard]] const PlaneBounds& bounds() const { return bounds_; }
-
-  template <typename Visit>
-  void visit(const PlaneBounds& box, const Visit& visit) const {
-    const auto end = places_.end();
-    for (auto at = std::lower_bound(places_.begin(), end, box.low, lies_before);
-         at != end && at->x() <= box.high.x(); ++at) {
-      if (at->y() >= box.low.y() && at->y() <= box.high.y()) visit(*at);
-    }
-  }
-  /// The one at a place, or the place itself.
-  [[nodiscard]] Eigen::Vector2d nearest(const Eigen::Vector2d& place) const {
-    Eigen::Vector2d found = place;
-    double least = kTouchM;
-    visit(box_around(place, place, kTouchM), [&](const Eigen::Vector2d& candidate) {
-      const double distance = (candidate - place).norm();
-      if (distance > least) return;
-      least = distance;
-      found = candidate;
-    });
-    return found;
-  }
-
- private:
-  std::vector<Eigen::Vector2d> places_;
-  PlaneBounds bounds_;
-};
-
 /// A ring that has all places which lie on it.
-Ring with_places(const Ring& ring, bool is_ring, const PlacesByX& places) {
+Ring with_places(const Ring& ring, bool is_ring, const NearPlaces& places) {
   Ring all;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Eigen::Vector2d from = places.nearest(ring[i]);
+    const Eigen::Vector2d from = places.nearest(ring[i]).value_or(ring[i]);
     all.push_back(from);
     if (i + 1 == ring.size() && !is_ring) break;
-    const Eigen::Vector2d to = places.nearest(ring[i + 1 < ring.size() ? i + 1 : 0]);
+    const Eigen::Vector2d& next = ring[i + 1 < ring.size() ? i + 1 : 0];
+    const Eigen::Vector2d to = places.nearest(next).value_or(next);
     std::vector<Eigen::Vector2d> on_edge;
     places.visit(box_around(from, to, kTouchM), [&](const Eigen::Vector2d& place) {
       if ((nearest_on_edge(from, to, place) - place).norm() > kTouchM) return;
@@ -119,12 +80,22 @@ void EditBuilder::replace(ObjectId id, std::vector<std::vector<Ring>> pieces) {
     return;
   }
   const LabelObject object = *now(id);
+  const auto of_piece = whole_of_.find(id);
+  const ObjectId whole = of_piece != whole_of_.end() ? of_piece->second : id;
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     LabelObject piece = object;
     piece.rings = std::move(pieces[i]);
-    add(std::move(piece));
+    const ObjectId added = add(std::move(piece));
+    whole_of_[added] = whole;
+    cut_off_[whole].push_back(added);
   }
   change(id).rings = std::move(pieces.front());
+}
+
+std::span<const ObjectId> EditBuilder::cut_off(ObjectId id) const {
+  const auto found = cut_off_.find(id);
+  if (found == cut_off_.end()) return {};
+  return found->second;
 }
 
 std::vector<Eigen::Vector2d> EditBuilder::new_places() const {
@@ -146,7 +117,7 @@ std::vector<Eigen::Vector2d> EditBuilder::new_places() const {
 }
 
 void EditBuilder::share_new_places() {
-  const PlacesByX places(new_places());
+  const NearPlaces places(new_places());
   if (places.bounds().is_empty) return;
   std::vector<ObjectId> ids;
   for (const auto& [id, placed] : document_.objects()) {

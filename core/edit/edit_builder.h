@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/edit/polygon_algebra.h"
 #include "core/label/label_document.h"
 
 namespace nadir {
@@ -29,6 +30,8 @@ class EditBuilder {
   [[nodiscard]] std::int64_t next_order(ClassId id);
   /// Puts pieces in place of an object: the first keeps its number, others inherit all else; none removes it.
   void replace(ObjectId id, std::vector<std::vector<Ring>> pieces);
+  /// What replace() has made beside an object of the document and its pieces.
+  [[nodiscard]] std::span<const ObjectId> cut_off(ObjectId id) const;
 
   /// Gives places that have become new to the objects beside them, wherever those have an edge or a place within two
   /// micrometres, so that borders which were common stay so, to the last bit.
@@ -46,11 +49,17 @@ class EditBuilder {
   ObjectId next_id_;
   std::map<ClassId, std::int64_t> orders_;
   std::map<ObjectId, std::optional<LabelObject>> changed_;  ///< Nothing: removed.
+  std::map<ObjectId, ObjectId> whole_of_;                   ///< Of pieces.
+  std::map<ObjectId, std::vector<ObjectId>> cut_off_;       ///< Of what was whole.
 };
 
 /// The objects of some numbers, each once, in their order. @errors kInvalidOptions: one is not there, or there are none.
 [[nodiscard]] Result<std::vector<const LabelObject*>> selected_objects(
     const LabelDocument& document, std::span<const ObjectId> ids);
+/// Takes a region from an object, of which its pieces remain. Whether it changes anything.
+[[nodiscard]] Result<bool> take_from(EditBuilder& builder,
+                                     const LabelObject& object,
+                                     const Region& region);
 /// "area 12".
 [[nodiscard]] std::string object_name(const LabelObject& object);
 

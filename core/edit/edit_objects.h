@@ -43,15 +43,20 @@ struct DrawnWith {
 /// @errors also where they do not touch each other, or are not all of one kind.
 [[nodiscard]] Result<LabelEdit> merge(const LabelDocument& document,
                                       std::span<const ObjectId> objects);
-/// Takes from an object what another covers; one that is covered whole is deleted, one that is cut in two becomes two.
+/// Takes from an object what others cover, as region_of() has it: of an outline its inside too, which it draws unclassified
+/// over what lies below. One that is covered whole is deleted, one that is cut in two becomes two.
 [[nodiscard]] Result<LabelEdit> subtract(const LabelDocument& document,
                                          ObjectId from,
-                                         ObjectId cut);
+                                         std::span<const ObjectId> cuts);
 enum class ClipSide {
   kThis,    ///< Takes from the object what areas and outlines of its level and above cover.
   kOthers,  ///< Takes from areas and outlines of its level and below what the object covers.
 };
-[[nodiscard]] Result<LabelEdit> clip(const LabelDocument& document, ObjectId object, ClipSide side);
+/// One after the other, each against what those before it have left, as one step. What covers is told as by subtract(); an
+/// outline that is cut has its wall along the cut. @errors also where one of them is a line.
+[[nodiscard]] Result<LabelEdit> clip(const LabelDocument& document,
+                                     std::span<const ObjectId> objects,
+                                     ClipSide side);
 /// A copy beside it: of a line to its left, of an area around it; negative: to its right, or inside.
 [[nodiscard]] Result<LabelEdit> copy_beside(const LabelDocument& document,
                                             ObjectId object,
@@ -73,6 +78,7 @@ enum class ClipSide {
                                        ClassId from,
                                        ClassId to,
                                        const std::optional<Ring>& within);
+/// What is moved keeps the order that it has among itself.
 enum class OrderMove {
   kUp,    ///< Above the next object that its bounds meet.
   kDown,  ///< Below the next one.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edit/edit_vertices.h"
 
-#include <algorithm>
+#include <functional>
 #include <set>
+#include <utility>
 
 #include "core/edit/edge_tree.h"
 #include "core/edit/edit_builder.h"
-#include "core/edit/polygon_algebra.h"
+#include "core/edit/near_places.h"
 
 namespace nadir {
 namespace {
@@ -20,6 +21,10 @@ Result<Eigen::Vector2d> place_of(const LabelDocument& document, const VertexRef&
     return fail(ErrorCode::kInvalidOptions, "{} has no such place", object_name(*object));
   }
   return object->rings[vertex.ring][vertex.place];
+}
+
+bool do_touch(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return (a - b).norm() <= kTouchM;
 }
 
 /// Calls `visit(object)` for all that may have something within some bounds.
@@ -51,30 +56,53 @@ void leave_out(EditBuilder& builder,
   }
 }
 
+/// Moves some places, and if asked what lies where they do.
+/// @param new_place  Where one of them goes.
+Result<LabelEdit> moved(const LabelDocument& document,
+                        std::span<const VertexRef> vertices,
+                        SharedBorders shared,
+                        const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& new_place) {
+  EditBuilder builder(document, vertices.size() == 1 ? "Move vertex" : "Move vertices");
+  std::vector<Eigen::Vector2d> from;
+  from.reserve(vertices.size());
+  for (const VertexRef& vertex : vertices) {
+    const auto place = place_of(document, vertex);
+    if (!place) return forward_error(place);
+    from.push_back(*place);
+    if (shared == SharedBorders::kAlone) {
+      builder.change(vertex.object).rings[vertex.ring][vertex.place] = new_place(*place);
+    }
+  }
+  if (shared == SharedBorders::kAlone) return builder.edit();
+  const NearPlaces places(std::move(from));
+  visit_objects_in(document, places.bounds(), [&](const LabelObject& object) {
+    for (std::size_t ring = 0; ring < object.rings.size(); ++ring) {
+      for (std::size_t place = 0; place < object.rings[ring].size(); ++place) {
+        const auto found = places.first_near(object.rings[ring][place]);
+        if (found) builder.change(object.id).rings[ring][place] = new_place(*found);
+      }
+    }
+  });
+  return builder.edit();
+}
+
 }  // namespace
 
 Result<LabelEdit> move_vertex(const LabelDocument& document,
                               const VertexRef& vertex,
                               const Eigen::Vector2d& to_in_enu_m,
                               SharedBorders shared) {
-  const auto from = place_of(document, vertex);
-  if (!from) return forward_error(from);
-  const Eigen::Vector2d to = on_lattice(to_in_enu_m);
-  EditBuilder builder(document, "Move vertex");
-  if (shared == SharedBorders::kAlone) {
-    builder.change(vertex.object).rings[vertex.ring][vertex.place] = to;
-    return builder.edit();
-  }
-  visit_objects_in(document, box_around(*from, *from), [&](const LabelObject& object) {
-    const auto has_it = [&](const Ring& ring) {
-      return std::find(ring.begin(), ring.end(), *from) != ring.end();
-    };
-    if (std::none_of(object.rings.begin(), object.rings.end(), has_it)) return;
-    for (Ring& ring : builder.change(object.id).rings) {
-      std::replace(ring.begin(), ring.end(), *from, to);
-    }
-  });
-  return builder.edit();
+  Eigen::Vector2d to = on_lattice(to_in_enu_m);
+  return moved(document, std::span(&vertex, 1), shared,
+               [&](const Eigen::Vector2d& /*from*/) { return to; });
+}
+
+Result<LabelEdit> move_vertices(const LabelDocument& document,
+                                std::span<const VertexRef> vertices,
+                                const Eigen::Vector2d& by_m,
+                                SharedBorders shared) {
+  return moved(document, vertices, shared,
+               [&](const Eigen::Vector2d& from) { return on_lattice(from + by_m); });
 }
 
 Result<LabelEdit> add_vertex(const LabelDocument& document,
@@ -99,14 +127,14 @@ Result<LabelEdit> add_vertex(const LabelDocument& document,
     insert(before.object, before.ring, before.place);
     return builder.edit();
   }
-  visit_objects_in(document, box_around(*from, *from), [&](const LabelObject& other) {
+  visit_objects_in(document, box_around(*from, *from, kTouchM), [&](const LabelObject& other) {
     for (std::size_t ring = 0; ring < other.rings.size(); ++ring) {
       const Ring& places = other.rings[ring];
       // From the end, so that what was inserted does not shift what comes.
       for (std::size_t i = is_closed(other.kind) ? places.size() : places.size() - 1; i-- > 0;) {
         const Eigen::Vector2d& next = places[(i + 1) % places.size()];
-        const bool is_same =
-            (places[i] == *from && next == to) || (places[i] == to && next == *from);
+        const bool is_same = (do_touch(places[i], *from) && do_touch(next, to)) ||
+                             (do_touch(places[i], to) && do_touch(next, *from));
         if (is_same) insert(other.id, ring, i);
       }
     }
@@ -117,20 +145,20 @@ Result<LabelEdit> add_vertex(const LabelDocument& document,
 Result<LabelEdit> remove_vertices(const LabelDocument& document,
                                   std::span<const VertexRef> vertices,
                                   SharedBorders shared) {
-  PlaceSet places;
-  PlaneBounds bounds;
+  std::vector<Eigen::Vector2d> taken;
+  taken.reserve(vertices.size());
   for (const VertexRef& vertex : vertices) {
     const auto place = place_of(document, vertex);
     if (!place) return forward_error(place);
-    places.insert(*place);
-    bounds.include(*place);
+    taken.push_back(*place);
   }
+  const NearPlaces places(std::move(taken));
   EditBuilder builder(document, vertices.size() == 1 ? "Delete vertex" : "Delete vertices");
   const std::set<VertexRef> alone(vertices.begin(), vertices.end());
-  visit_objects_in(document, bounds, [&](const LabelObject& object) {
+  visit_objects_in(document, places.bounds(), [&](const LabelObject& object) {
     leave_out(builder, object, [&](const VertexRef& vertex) {
       if (shared == SharedBorders::kAlone) return alone.count(vertex) > 0;
-      return places.count(object.rings[vertex.ring][vertex.place]) > 0;
+      return places.nearest(object.rings[vertex.ring][vertex.place]).has_value();
     });
   });
   return builder.edit();

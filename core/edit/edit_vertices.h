@@ -10,7 +10,8 @@ namespace nadir {
 
 // Gestures on the places of objects. Each gives the edit of one step, which is empty where nothing changes; none changes
 // anything itself. New places lie on the lattice of polygon_algebra.h. Borders are shared where their places are equal to the
-// last bit; what is shared stays so. All fail with kInvalidOptions where an object or a place is not there, or where an area
+// last bit; what is shared stays so. Places within two micrometres of each other, as other programs' rounding leaves them, are
+// taken for shared by whatever moves, adds or removes vertices, and those that move are equal afterwards. All fail with kInvalidOptions where an object or a place is not there, or where an area
 // would cross itself or lose its inside, and with the errors of check_object() of what would come out.
 
 /// Whether what shares a border moves with it.
@@ -20,6 +21,11 @@ enum class SharedBorders { kTogether, kAlone };
                                             const VertexRef& vertex,
                                             const Eigen::Vector2d& to_in_enu_m,
                                             SharedBorders shared);
+/// Several at once, all by the same shift, as one step: one that is shared with another, or given twice, moves once.
+[[nodiscard]] Result<LabelEdit> move_vertices(const LabelDocument& document,
+                                              std::span<const VertexRef> vertices,
+                                              const Eigen::Vector2d& by_m,
+                                              SharedBorders shared);
 /// @param before  The place after which it comes.
 [[nodiscard]] Result<LabelEdit> add_vertex(const LabelDocument& document,
                                            const VertexRef& before,

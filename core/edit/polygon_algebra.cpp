@@ -144,6 +144,10 @@ Result<Region> simplified(const Region& region, double tolerance_m) {
       geos, geos.made(GEOSTopologyPreserveSimplify_r(geos.handle(), sound->get(), tolerance_m)));
 }
 
+bool is_equal_area(double a_m2, double b_m2) {
+  return std::abs(a_m2 - b_m2) <= 1e-5 + 1e-9 * std::abs(a_m2);
+}
+
 double area_m2(const Region& region) {
   double area = 0.0;
   for (const auto& part : region.parts) {

@@ -25,7 +25,8 @@ struct Region {
 
 // All of these fail with kInvalidOptions where borders cross more than 100,000 times, and where GEOS cannot compute them.
 
-/// What an object covers: of a line its stroke with round joins, of an outline its inside too.
+/// What an object covers, so that nothing below it shows: of a line its stroke with round joins; of an outline its inside
+/// too, for it draws that as unclassified. This is what an object takes from others that it cuts.
 [[nodiscard]] Result<Region> region_of(const LabelObject& object);
 [[nodiscard]] Result<Region> united(std::span<const Region> regions);
 [[nodiscard]] Result<Region> without(const Region& region, const Region& cut);
@@ -53,5 +54,7 @@ struct CutLine {
 [[nodiscard]] std::vector<Ring> cut(const Ring& line, const Ring& across);
 
 [[nodiscard]] double area_m2(const Region& region);
+/// Whether areas differ by no more than rounding to the lattice may make of them.
+[[nodiscard]] bool is_equal_area(double a_m2, double b_m2);
 
 }  // namespace nadir

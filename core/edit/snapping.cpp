@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/edit/edge_tree.h"
-#include "core/edit/polygon_algebra.h"
+#include "core/edit/near_places.h"
 
 namespace nadir {
 namespace {
@@ -48,9 +48,17 @@ Ring walked(const Ring& ring, const Snap& from, const Snap& to) {
   std::size_t steps = (to.at.place + count - from.at.place) % count;
   // On one and the same edge, but behind: all the way around.
   if (steps == 0 && offset(to) < offset(from)) steps = count;
-  for (std::size_t i = 1; i <= steps; ++i) way.push_back(ring[(from.at.place + i) % count]);
-  way.push_back(to.in_enu_m);
-  return without_repeats(std::move(way), false);
+  // What was snapped may lie on a corner but for rounding; the ends stay as they are.
+  const auto is_new = [&](const Eigen::Vector2d& place) {
+    return (place - way.back()).norm() > kTouchM;
+  };
+  for (std::size_t i = 1; i <= steps; ++i) {
+    const Eigen::Vector2d& place = ring[(from.at.place + i) % count];
+    if (is_new(place)) way.push_back(place);
+  }
+  if (!is_new(to.in_enu_m) && way.size() > 1) way.pop_back();
+  if (way.back() != to.in_enu_m) way.push_back(to.in_enu_m);
+  return way;
 }
 
 double length_of(const Ring& way) {
@@ -124,15 +132,18 @@ std::optional<Snap> SnapIndex::nearest(const Eigen::Vector2d& point_in_enu_m,
 }
 
 std::vector<VertexRef> SnapIndex::at(const Eigen::Vector2d& point_in_enu_m) const {
-  const PlaneBounds box = box_around(point_in_enu_m, point_in_enu_m);
+  const PlaneBounds box = box_around(point_in_enu_m, point_in_enu_m, kTouchM);
+  const auto is_there = [&](const Eigen::Vector2d& place) {
+    return (place - point_in_enu_m).norm() <= kTouchM;
+  };
   std::vector<VertexRef> found;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (!do_meet(bounds_[i], box)) continue;
     const LabelObject& object = *entries_[i].object;
     entries_[i].edges.visit(box, [&](const EdgeTree::Edge& edge) {
       const std::size_t next = edge.place + 1 < object.rings[edge.ring].size() ? edge.place + 1 : 0;
-      if (edge.from == point_in_enu_m) found.push_back({object.id, edge.ring, edge.place});
-      if (edge.to == point_in_enu_m) found.push_back({object.id, edge.ring, next});
+      if (is_there(edge.from)) found.push_back({object.id, edge.ring, edge.place});
+      if (is_there(edge.to)) found.push_back({object.id, edge.ring, next});
     });
   }
   std::sort(found.begin(), found.end());
@@ -140,14 +151,15 @@ std::vector<VertexRef> SnapIndex::at(const Eigen::Vector2d& point_in_enu_m) cons
   return found;
 }
 
-std::vector<VertexRef> SnapIndex::edges(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
-  const PlaneBounds box = box_around(a, a);
+std::vector<VertexRef> SnapIndex::edges_at(const Eigen::Vector2d& point_in_enu_m) const {
+  const PlaneBounds box = box_around(point_in_enu_m, point_in_enu_m, kTouchM);
   std::vector<VertexRef> found;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (!do_meet(bounds_[i], box)) continue;
     entries_[i].edges.visit(box, [&](const EdgeTree::Edge& edge) {
-      const bool is_same = (edge.from == a && edge.to == b) || (edge.from == b && edge.to == a);
-      if (is_same) found.push_back({entries_[i].object->id, edge.ring, edge.place});
+      const Eigen::Vector2d foot = nearest_on_edge(edge.from, edge.to, point_in_enu_m);
+      if ((foot - point_in_enu_m).norm() > kTouchM) return;
+      found.push_back({entries_[i].object->id, edge.ring, edge.place});
     });
   }
   std::sort(found.begin(), found.end());

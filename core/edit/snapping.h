@@ -50,11 +50,10 @@ class SnapIndex {
   [[nodiscard]] std::optional<Snap> nearest(const Eigen::Vector2d& point_in_enu_m,
                                             double reach_m,
                                             std::span<const ObjectId> without = {}) const;
-  /// All vertices that lie exactly there: those that move together. In order.
+  /// All vertices that lie there, within two micrometres: those that move together. In order.
   [[nodiscard]] std::vector<VertexRef> at(const Eigen::Vector2d& point_in_enu_m) const;
-  /// All edges between two places, in either direction, by the vertex before. In order.
-  [[nodiscard]] std::vector<VertexRef> edges(const Eigen::Vector2d& a,
-                                             const Eigen::Vector2d& b) const;
+  /// All edges on which a place lies, within two micrometres, by the vertex before. In order.
+  [[nodiscard]] std::vector<VertexRef> edges_at(const Eigen::Vector2d& point_in_enu_m) const;
 
  private:
   struct Entry;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gdal_priv.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -8,6 +10,7 @@
 #include "core/exchange/export_writers.h"
 #include "core/label/label_raster.h"
 #include "core/label/paint_objects.h"
+#include "core/map/gdal_raster.h"
 
 namespace nadir {
 namespace {
@@ -83,7 +86,19 @@ std::string annotation_of(const CellRegion& region, int id, int width, int heigh
                      segmentation_of(region, width, height));
 }
 
-/// Everything before the annotations. The image is the package's, whose cells are those of the labels.
+/// What the annotations lie on: the picture where each of its pixels is a cell of the labels, else their own raster, as a
+/// package has it.
+std::string image_name(const ExportTask& task) {
+  constexpr const char* kOfLabels = "labels.tif";
+  if (task.picture.empty()) return kOfLabels;
+  const GdalMessages quiet;
+  const auto picture = open_raster(task.picture, quiet);
+  const bool has_same_cells = picture && (*picture)->GetRasterXSize() == task.grid.width &&
+                              (*picture)->GetRasterYSize() == task.grid.height;
+  return has_same_cells ? task.picture.filename().string() : kOfLabels;
+}
+
+/// Everything before the annotations.
 std::string head_of(const ExportTask& task) {
   nlohmann::ordered_json head;
   head["info"] = {{"description", task.provenance.name},
@@ -94,7 +109,7 @@ std::string head_of(const ExportTask& task) {
       nlohmann::ordered_json::array({{{"id", 1}, {"name", task.provenance.licence}, {"url", ""}}});
   head["images"] = nlohmann::ordered_json::array({{{"id", 1},
                                                    {"license", 1},
-                                                   {"file_name", "image.tif"},
+                                                   {"file_name", image_name(task)},
                                                    {"width", task.grid.width},
                                                    {"height", task.grid.height}}});
   head["categories"] = nlohmann::ordered_json::array();

@@ -17,6 +17,7 @@ struct ExportTask {
   LabelGrid grid;
   const MapProvenance& provenance;
   const WorkContext& context;
+  std::filesystem::path picture;  ///< Empty: none.
 };
 
 /// A strip of the task's raster. @errors kCancelled.

@@ -179,35 +179,33 @@ Result<void> export_class_images(const ExportTask& task, const fs::path& target)
 }
 
 Result<void> export_indexed_png(const ExportTask& task, const fs::path& target) {
-  auto staged = StagedOutput::file(target);
-  if (!staged) return forward_error(staged);
-  const fs::path staged_notes = staged->path().string() + ".aux.xml";
+  // The picture last, so that there is never one without what tells where it lies.
+  std::vector<StagedOutput> files;
+  files.reserve(3);
+  for (const fs::path& path : {fs::path(target).replace_extension(".pgw"),
+                               fs::path(target.string() + ".aux.xml"), target}) {
+    auto staged = StagedOutput::file(path);
+    if (!staged) return forward_error(staged);
+    files.push_back(std::move(*staged));
+  }
   const auto cells = [&](int first, int count) { return exported_rows(task, first, count); };
   RowsDataset rows(task.grid, task.document.plane(), cells);
   {
     const GdalMessages quiet;
     describe_classes(*rows.GetRasterBand(1));
   }
-  const auto done = write_png(rows, staged->path(), target.string());
+  const auto done = write_png(rows, files[2].path(), target.string());
+  // GDAL calls it by the picture's name.
   std::error_code error;
-  if (!done) {
-    fs::remove(staged_notes, error);
-    return forward_error(done);
-  }
-  // What tells where it lies first, so that there is never a picture without it.
-  const auto placed =
-      write_text_file(fs::path(target).replace_extension(".pgw"), world_file(task.grid));
-  if (!placed) {
-    fs::remove(staged_notes, error);
-    return forward_error(placed);
-  }
-  fs::rename(staged_notes, target.string() + ".aux.xml", error);
+  fs::rename(files[2].path().string() + ".aux.xml", files[1].path(), error);
+  if (!done) return forward_error(done);
   if (error) {
-    const std::string why = error.message();
-    fs::remove(staged_notes, error);
-    return fail(ErrorCode::kIo, "{}.aux.xml: cannot be written ({})", target.string(), why);
+    return fail(ErrorCode::kIo, "{}.aux.xml: cannot be written ({})", target.string(),
+                error.message());
   }
-  return staged->commit();
+  const auto placed = write_text_file(files[0].path(), world_file(task.grid));
+  if (!placed) return forward_error(placed);
+  return StagedOutput::commit_all(files);
 }
 
 }  // namespace nadir

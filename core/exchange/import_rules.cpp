@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "core/base/settings.h"
@@ -48,56 +49,23 @@ Result<double> sound_width(const Settings& table, const std::string& key) {
               *width, kMostObjectWidthM);
 }
 
-/// The number that a text begins with, which is taken off it.
-std::optional<double> take_number(std::string_view& text) {
-  double value = 0.0;
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
-  if (error != std::errc()) return std::nullopt;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return value;
+/// Of `key = { tag = "name" }` the name.
+Result<std::string> tag_named(const Settings& table, const std::string& key) {
+  const auto of_tag = table.table(key);
+  if (!of_tag) return forward_error(of_tag);
+  if (const auto known = of_tag->refuse_unknown({"tag"}); !known) return forward_error(known);
+  return of_tag->text("tag");
 }
 
-std::string_view without_spaces(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
-/// Feet, and inches where there are any: what follows the feet of 12'6".
-std::optional<double> with_inches(double feet, std::string_view inches) {
-  constexpr double kFootM = 0.3048;
-  inches = without_spaces(inches);
-  if (inches.empty()) return feet * kFootM;
-  const auto number = take_number(inches);
-  if (!number || (inches != "\"" && inches != "''" && inches != "in")) return std::nullopt;
-  return (feet + *number / 12.0) * kFootM;
-}
-
-std::optional<double> any_metres(std::string_view text) {
-  std::string with_point(without_spaces(text));
-  if (std::count(with_point.begin(), with_point.end(), ',') == 1) {
-    std::replace(with_point.begin(), with_point.end(), ',', '.');
-  }
-  std::string_view rest = with_point;
-  const auto number = take_number(rest);
-  if (!number) return std::nullopt;
-  const std::string_view unit = without_spaces(rest);
-  if (!unit.empty() && unit.front() == '\'') return with_inches(*number, unit.substr(1));
-  if (unit.rfind("ft", 0) == 0) return with_inches(*number, unit.substr(2));
-  constexpr std::array<std::pair<std::string_view, double>, 9> kUnits{{{"", 1.0},
-                                                                       {"m", 1.0},
-                                                                       {"metre", 1.0},
-                                                                       {"metres", 1.0},
-                                                                       {"cm", 0.01},
-                                                                       {"mm", 0.001},
-                                                                       {"km", 1000.0},
-                                                                       {"mi", 1609.344},
-                                                                       {"feet", 0.3048}}};
-  for (const auto& [name, metres] : kUnits) {
-    if (unit == name) return *number * metres;
-  }
-  return std::nullopt;
+/// A drawing order that an object can have.
+std::optional<std::int64_t> order_from(const std::string& text) {
+  constexpr std::int64_t kMostLevel = 127;
+  std::int64_t order = 0;
+  const char* const end = text.data() + text.size();
+  const auto [read_to, error] = std::from_chars(text.data(), end, order);
+  if (error != std::errc() || read_to != end) return std::nullopt;
+  if (std::abs(level_of_order(order)) > kMostLevel) return std::nullopt;
+  return order;
 }
 
 const std::string* tag_of(const ImportTags& tags, const std::string& key) {
@@ -106,12 +74,6 @@ const std::string* tag_of(const ImportTags& tags, const std::string& key) {
 }
 
 }  // namespace
-
-std::optional<double> metres_from_tag(std::string_view text) {
-  const auto metres = any_metres(text);
-  if (metres && *metres > 0.0 && *metres <= kMostObjectWidthM) return metres;
-  return std::nullopt;
-}
 
 Result<ImportRules> ImportRules::read(const std::filesystem::path& path) {
   const auto settings = Settings::read(path);
@@ -140,7 +102,8 @@ Result<ImportRules> ImportRules::from_settings(const Settings& settings) {
 }
 
 Result<ImportRules::Rule> ImportRules::rule_from(const Settings& table) {
-  if (const auto known = table.refuse_unknown({"where", "kind", "class", "width_m", "above"});
+  if (const auto known =
+          table.refuse_unknown({"where", "kind", "class", "width_m", "above", "order", "note"});
       !known) {
     return forward_error(known);
   }
@@ -152,8 +115,8 @@ Result<ImportRules::Rule> ImportRules::rule_from(const Settings& table) {
   if (!kind) return forward_error(kind);
   rule.kind = *kind;
   if (rule.kind == ImportKind::kNothing) return rule;
-  if (const auto of_tag = table.table("class")) {
-    const auto tag = of_tag->text("tag");
+  if (table.table("class")) {
+    const auto tag = tag_named(table, "class");
     if (!tag) return forward_error(tag);
     rule.class_tag = *tag;
   } else {
@@ -168,6 +131,13 @@ Result<ImportRules::Rule> ImportRules::rule_from(const Settings& table) {
     const auto above = class_named(table, "above");
     if (!above) return forward_error(above);
     rule.above = *above;
+  }
+  for (const auto& [key, into] :
+       {std::pair("order", &rule.order_tag), std::pair("note", &rule.note_tag)}) {
+    if (!table.has(key)) continue;
+    auto tag = tag_named(table, key);
+    if (!tag) return forward_error(tag);
+    *into = std::move(*tag);
   }
   return rule;
 }
@@ -261,10 +231,12 @@ double ImportRules::width_of(const Width& width, const ImportTags& tags) {
   const std::string* const lanes = width.a_lane_m ? tag_of(tags, "lanes") : nullptr;
   if (lanes != nullptr) {
     constexpr double kMostLanes = 20.0;
-    std::string_view text = *lanes;
-    const auto count = take_number(text);
-    if (count && text.empty() && *count >= 1.0 && *count <= kMostLanes) {
-      return std::min(*count * *width.a_lane_m, kMostObjectWidthM);
+    double count = 0.0;
+    const char* const end = lanes->data() + lanes->size();
+    const auto [read_to, error] =
+        std::from_chars(lanes->data(), end, count, std::chars_format::fixed);
+    if (error == std::errc() && read_to == end && count >= 1.0 && count <= kMostLanes) {
+      return std::min(count * *width.a_lane_m, kMostObjectWidthM);
     }
   }
   return width.otherwise_m;
@@ -283,7 +255,17 @@ std::optional<ImportRules::Drawn> ImportRules::apply(const ImportTags& tags,
       id = *named;
     }
     const double width_m = rule.kind == ImportKind::kArea ? 0.0 : width_of(rule.width, tags);
-    return Drawn{rule.kind, id, width_m, rule.above};
+    Drawn drawn{rule.kind, id, width_m, rule.above};
+    if (!rule.order_tag.empty()) {
+      if (const std::string* const order = tag_of(tags, rule.order_tag)) {
+        drawn.order = order_from(*order);
+      }
+    }
+    if (!rule.note_tag.empty()) {
+      const std::string* const note = tag_of(tags, rule.note_tag);
+      drawn.note = note != nullptr ? *note : std::string();
+    }
+    return drawn;
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -51,6 +52,10 @@ class ImportRules {
     double width_m = 0.0;  ///< Of a line or spot, or the thickness of an outline.
     /// Drawn on top of this class and not in the level of its own.
     std::optional<ClassId> above;
+    /// What the thing itself says of its drawing order, as LabelObject has it; of a level that there can be.
+    std::optional<std::int64_t> order = {};
+    /// What it says about itself, which may be nothing; where nobody asks for that it gets the name that the source has for it.
+    std::optional<std::string> note = {};
   };
   /// Nothing where no rule fits. A rule fits where all of its tags do and its kind can be made of the form: areas and
   /// outlines of what is closed, lines of anything but a place, spots of places.
@@ -73,6 +78,7 @@ class ImportRules {
     std::string class_tag;  ///< Where not empty: the tag that says the class.
     Width width;
     std::optional<ClassId> above;
+    std::string order_tag, note_tag;  ///< Empty: nobody asks.
   };
   ImportRules() = default;
   [[nodiscard]] static Result<ImportRules> from_settings(const Settings& settings);

@@ -48,13 +48,14 @@ Result<void> export_labels(const LabelDocument& document,
                            const MapProvenance& provenance,
                            LabelFormat format,
                            const std::filesystem::path& target,
-                           const WorkContext& context) {
+                           const WorkContext& context,
+                           const std::filesystem::path& picture) {
   NADIR_REQUIRE(grid.metres_per_cell > 0.0 && grid.width > 0 && grid.height > 0);
   if (std::int64_t{grid.width} * grid.height > kMaxMapCells) {
     return fail(ErrorCode::kUnsupported, "{}: {} x {} cells of {:.6g} m are more than {}",
                 target.string(), grid.width, grid.height, grid.metres_per_cell, kMaxMapCells);
   }
-  const ExportTask task{document, grid, provenance, context};
+  const ExportTask task{document, grid, provenance, context, picture};
   switch (format) {
     case LabelFormat::kMapPackage:
       return export_package(task, target);

@@ -7,26 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "core/base/field.h"
 #include "core/base/progress.h"
+#include "core/exchange/label_format.h"
 #include "core/label/label_document.h"
 #include "core/map/overhead_map_file.h"
 
 namespace nadir {
-
-enum class LabelFormat {
-  kMapPackage,   ///< A folder with labels.tif and map.toml (core/map/README.md).
-  kGeoJson,      ///< One file: all objects, in longitude and latitude.
-  kShapefile,    ///< A folder: area.shp, line.shp, outline.shp, on the project plane.
-  kClassImages,  ///< A folder: a black-and-white PNG a class with world file, and scale.toml.
-  kIndexedPng,   ///< A PNG with palette, its world file and what GIS programs read beside it.
-  kCoco,         ///< One JSON file: a region of one class is one annotation.
-};
-template <>
-struct EnumNames<LabelFormat> {
-  static constexpr std::array<std::string_view, 6> kNames = {
-      "package", "geojson", "shapefile", "class-images", "indexed-png", "coco"};
-};
 
 /// The cells of a document's map at another resolution: the same upper left corner, and as many as cover it all.
 /// @param metres_per_cell  > 0; where empty the document's own.
@@ -35,7 +21,7 @@ struct EnumNames<LabelFormat> {
 
 /// Writes a document as others read it, aside and renamed when it is whole. Rasters are made by strips, so that memory does
 /// not grow with the map. Where paint goes into a file of vectors it becomes areas.
-/// @param grid  Of rasters; vectors do not ask.
+/// @param grid  Of rasters; vectors do not ask. @param picture  The image below the labels, which COCO names; empty: none.
 /// @errors kIo: cannot be written, or something else stands there (see write_labels_of_map()); kUnsupported: COCO of more
 /// than 100 million cells; kCancelled.
 [[nodiscard]] Result<void> export_labels(const LabelDocument& document,
@@ -43,7 +29,8 @@ struct EnumNames<LabelFormat> {
                                          const MapProvenance& provenance,
                                          LabelFormat format,
                                          const std::filesystem::path& target,
-                                         const WorkContext& context = {});
+                                         const WorkContext& context = {},
+                                         const std::filesystem::path& picture = {});
 
 /// What a class covers.
 struct ClassArea {

@@ -82,9 +82,9 @@ void ObjectMaker::add(const SourceFeature& feature,
                      .order = 0,
                      .width_m = drawn->width_m,
                      .rings = *std::move(rings),
-                     .note = feature.name};
+                     .note = drawn->note.value_or(feature.name)};
   if (drawn->kind == ImportKind::kLine) {
-    add_lines(std::move(object), feature.form, drawn->above);
+    add_lines(std::move(object), feature.form, *drawn);
     return;
   }
   if (drawn->kind == ImportKind::kOutline) object.kind = ObjectKind::kOutline;
@@ -92,7 +92,7 @@ void ObjectMaker::add(const SourceFeature& feature,
     object.rings = {spot(object.rings.front().front(), drawn->width_m)};
     object.width_m = 0.0;
   }
-  add_object(std::move(object), drawn->above);
+  add_object(std::move(object), *drawn);
 }
 
 ImportedLabels ObjectMaker::finish() && {
@@ -106,17 +106,17 @@ ImportedLabels ObjectMaker::finish() && {
 }
 
 /// One a ring; closed ones come back to their start.
-void ObjectMaker::add_lines(LabelObject object, SourceForm form, const Above& above) {
+void ObjectMaker::add_lines(LabelObject object, SourceForm form, const ImportRules::Drawn& drawn) {
   const std::vector<Ring> rings = std::move(object.rings);
   object.kind = ObjectKind::kLine;
   for (const Ring& ring : rings) {
     object.rings = {ring};
     if (form != SourceForm::kOpenLine) object.rings.front().push_back(ring.front());
-    add_object(object, above);
+    add_object(object, drawn);
   }
 }
 
-void ObjectMaker::add_object(LabelObject object, const Above& above) {
+void ObjectMaker::add_object(LabelObject object, const ImportRules::Drawn& drawn) {
   object.id = next_id_;
   if (const auto sound = check_object(object); !sound) {
     faults_.add("thing has too few places or lies too far away and was left out",
@@ -132,7 +132,7 @@ void ObjectMaker::add_object(LabelObject object, const Above& above) {
     faults_.add("area crosses itself: its inside is what an odd number of its rings surrounds",
                 "areas cross themselves: their inside is what an odd number of rings surrounds");
   }
-  object.order = next_order(above.value_or(object.class_id));
+  object.order = drawn.order ? *drawn.order : next_order(drawn.above.value_or(object.class_id));
   ++next_id_;
   made_.edit.objects.push_back({nullptr, std::make_shared<const LabelObject>(std::move(object))});
 }

@@ -25,9 +25,8 @@ class ObjectMaker {
   [[nodiscard]] ImportedLabels finish() &&;
 
  private:
-  using Above = std::optional<ClassId>;
-  void add_lines(LabelObject object, SourceForm form, const Above& above);
-  void add_object(LabelObject object, const Above& above);
+  void add_lines(LabelObject object, SourceForm form, const ImportRules::Drawn& drawn);
+  void add_object(LabelObject object, const ImportRules::Drawn& drawn);
   [[nodiscard]] std::int64_t next_order(ClassId id);
 
   const LabelDocument& document_;

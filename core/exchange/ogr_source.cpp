@@ -5,6 +5,8 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -67,6 +69,14 @@ ImportTags tags_from_pairs(std::string_view text) {
   return tags;
 }
 
+/// With all of its digits, which GDAL's own text has not.
+std::string text_of(double number) {
+  std::array<char, 400> digits{};
+  const auto [end, error] =
+      std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed);
+  return {digits.data(), error == std::errc() ? end : digits.data()};
+}
+
 ImportTags tags_of(const OGRFeature& feature) {
   ImportTags tags;
   for (int i = 0; i < feature.GetFieldCount(); ++i) {
@@ -74,6 +84,8 @@ ImportTags tags_of(const OGRFeature& feature) {
     const std::string name = feature.GetFieldDefnRef(i)->GetNameRef();
     if (name == "all_tags") {
       tags.merge(tags_from_pairs(feature.GetFieldAsString(i)));
+    } else if (feature.GetFieldDefnRef(i)->GetType() == OFTReal) {
+      tags[name] = text_of(feature.GetFieldAsDouble(i));
     } else {
       tags[name] = feature.GetFieldAsString(i);
     }
@@ -96,10 +108,12 @@ class OgrReader {
     CPLStringList drivers;
     for (const char* driver : kDrivers) drivers.AddString(driver);
     CPLStringList options;
-    options.SetNameValue("CONFIG_FILE", osm_settings.name().c_str());
-    const GdalDataset dataset(static_cast<GDALDataset*>(
-        GDALOpenEx(path_.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers.List(),
-                   is_osm_name() ? options.List() : nullptr, nullptr)));
+    if (is_osm_name()) options.SetNameValue("CONFIG_FILE", osm_settings.name().c_str());
+    // Notes that happen to be dates stay as they are written.
+    if (is_geojson_name()) options.SetNameValue("DATE_AS_STRING", "YES");
+    const GdalDataset dataset(
+        static_cast<GDALDataset*>(GDALOpenEx(path_.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
+                                             drivers.List(), options.List(), nullptr)));
     if (dataset == nullptr) {
       return fail(ErrorCode::kMalformed, "{}: is no file of vectors that can be read{}",
                   path_.string(),
@@ -138,6 +152,11 @@ class OgrReader {
   [[nodiscard]] bool is_osm_name() const {
     const std::string extension = path_.extension().string();
     return extension == ".pbf" || extension == ".osm";
+  }
+
+  [[nodiscard]] bool is_geojson_name() const {
+    const std::string extension = path_.extension().string();
+    return extension == ".geojson" || extension == ".json";
   }
 
   /// Where a layer's coordinates are. @errors kMalformed: it does not say; kInvalidOptions: --crs is none.

@@ -25,11 +25,13 @@ double metres_between(const Eigen::Vector2d& a_deg, const Eigen::Vector2d& b_deg
 /// Makes features of elements.
 class OsmFeatures {
  public:
-  explicit OsmFeatures(const OsmElements& elements) : elements_(elements) {
+  OsmFeatures(const OsmElements& elements, const WorkContext& context)
+      : elements_(elements), context_(context) {
     for (std::size_t i = 0; i < elements.ways.size(); ++i) way_of_[elements.ways[i].id] = i;
   }
 
-  SourceFeatures make() {
+  /// @errors kCancelled.
+  Result<SourceFeatures> make() {
     made_.layers.emplace_back();
     made_.kind = SourceKind::kOpenStreetMap;
     made_.bounds_deg = elements_.bounds_deg;
@@ -37,15 +39,21 @@ class OsmFeatures {
                      "elements have no number or no place on the Earth and were left out",
                      elements_.unsound);
     for (const OsmRelation& relation : elements_.relations) {
+      if (const auto goes_on = look_up(); !goes_on) return forward_error(goes_on);
       const auto type = relation.tags.find("type");
       if (type == relation.tags.end()) continue;
-      if (type->second == "multipolygon") add_multipolygon(relation);
+      if (type->second == "multipolygon") {
+        const auto added = add_multipolygon(relation);
+        if (!added) return forward_error(added);
+      }
       if (type->second == "lanelet") add_lanelet(relation);
     }
     for (const OsmWay& way : elements_.ways) {
+      if (const auto goes_on = look_up(); !goes_on) return forward_error(goes_on);
       if (!way.tags.empty() && told_by_relation_.count(way.id) == 0) add_way(way);
     }
     for (const auto& [id, tags] : elements_.tagged_nodes) {
+      if (const auto goes_on = look_up(); !goes_on) return forward_error(goes_on);
       add({fmt::format("node {}", id), tags, SourceForm::kPlace, {{elements_.nodes.at(id)}}});
     }
     made_.faults.add("way misses nodes and was taken without them",
@@ -58,6 +66,16 @@ class OsmFeatures {
     Ring places;
     bool is_closed = false;  ///< Then its first place is not repeated.
   };
+
+  /// Before each element: whether to go on, and how far this is.
+  Result<void> look_up() {
+    if (done_++ % 256 != 0) return {};
+    if (context_.is_stopped()) return fail(ErrorCode::kCancelled, "cancelled");
+    const std::size_t all =
+        1 + elements_.relations.size() + elements_.ways.size() + elements_.tagged_nodes.size();
+    context_.report(static_cast<double>(done_) / static_cast<double>(all), "joining");
+    return {};
+  }
 
   void add(SourceFeature feature) { made_.layers.front().features.push_back(std::move(feature)); }
 
@@ -124,7 +142,7 @@ class OsmFeatures {
     return ways;
   }
 
-  void add_multipolygon(const OsmRelation& relation) {
+  Result<void> add_multipolygon(const OsmRelation& relation) {
     bool lacks_one = false;
     const std::vector<const OsmWay*> ways = ways_of(relation, "", lacks_one);
     std::vector<NodeChain> chains;
@@ -143,11 +161,14 @@ class OsmFeatures {
       made_.faults.add("multipolygon has open rings or lacks members and was taken without them",
                        "multipolygons have open rings or lack members and were taken without them");
     }
-    if (rings.empty()) return;
+    if (rings.empty()) return {};
     const ImportTags tags = tags_of_multipolygon(relation, ways);
-    for (std::vector<Ring>& area : areas_of(std::move(rings))) {
+    auto areas = areas_of(std::move(rings), context_);
+    if (!areas) return forward_error(areas);
+    for (std::vector<Ring>& area : *areas) {
       add({fmt::format("relation {}", relation.id), tags, SourceForm::kArea, std::move(area)});
     }
+    return {};
   }
 
   /// Those of its outer ways where it has none of its own, as was usual once. Ways that say nothing else are told by it.
@@ -214,6 +235,8 @@ class OsmFeatures {
   }
 
   const OsmElements& elements_;
+  const WorkContext& context_;
+  std::size_t done_ = 0;
   std::unordered_map<std::int64_t, std::size_t> way_of_;
   std::set<std::int64_t> told_by_relation_;
   std::set<std::int64_t> missing_nodes_;  ///< Ways that miss some.
@@ -226,13 +249,16 @@ Result<SourceFeatures> read_osm_features(const std::filesystem::path& path,
                                          const WorkContext& context) {
   const auto elements = read_osm_elements(path, context);
   if (!elements) return forward_error(elements);
-  return OsmFeatures(*elements).make();
+  auto features = OsmFeatures(*elements, context).make();
+  if (!features) return forward_error(features, path.string());
+  return features;
 }
 
 Result<SourceFeatures> parse_osm_features(std::string_view text, const std::string& name) {
   const auto elements = parse_osm_elements(text, name);
   if (!elements) return forward_error(elements);
-  return OsmFeatures(*elements).make();
+  const WorkContext alone;
+  return OsmFeatures(*elements, alone).make();
 }
 
 }  // namespace nadir

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/label/label_object.h"
 
 namespace nadir {
@@ -14,11 +15,13 @@ namespace nadir {
 using NodeChain = std::vector<std::int64_t>;
 
 /// Ways joined where they end in the same node, in either direction; each that comes back to its start is a ring, and the
-/// others are open. Each way is in exactly one.
+/// others are open. Each way is in exactly one. Where several ways go on, the first of them does. O(nodes).
 [[nodiscard]] std::vector<NodeChain> join_ways(std::vector<NodeChain> ways);
 
-/// Rings as areas: a border and the holes directly in it; what lies in a hole is an area again. O(rings squared) at worst.
-/// @param rings  Not empty ones, in any order.
-[[nodiscard]] std::vector<std::vector<Ring>> areas_of(std::vector<Ring> rings);
+/// Rings as areas: a border and the holes directly in it; what lies in a hole is an area again. O(places log places), and the
+/// number of rings around each ring.
+/// @param rings  Not empty ones, in any order. @errors kCancelled.
+[[nodiscard]] Result<std::vector<std::vector<Ring>>> areas_of(std::vector<Ring> rings,
+                                                              const WorkContext& context = {});
 
 }  // namespace nadir

@@ -66,7 +66,7 @@ class ObjectLayer {
     if (layer_ == nullptr) return;
     add_field("class", OFTString, 16);
     add_field("kind", OFTString, 8);
-    add_field("width_m", OFTReal, 0);
+    add_field("width_m", OFTReal, 26, 20);  // A dbf's numbers have as many digits as are asked for.
     add_field("order", OFTInteger64, 0);
     add_field("note", OFTString, 254);
   }
@@ -84,9 +84,10 @@ class ObjectLayer {
   }
 
  private:
-  void add_field(const char* name, OGRFieldType type, int width) {
+  void add_field(const char* name, OGRFieldType type, int width, int decimals = 0) {
     OGRFieldDefn field(name, type);
     field.SetWidth(width);
+    field.SetPrecision(decimals);
     layer_->CreateField(&field);
   }
   OGRLayer* layer_;

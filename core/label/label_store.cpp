@@ -60,6 +60,13 @@ Result<std::vector<LabelStep>> LabelStore::history(std::int64_t first, int count
   return read_steps(implementation_->database(), first, count);
 }
 
+Result<std::vector<LabelEdit>> LabelStore::way(const LabelDocument& document,
+                                               std::int64_t from,
+                                               std::int64_t to) const {
+  NADIR_REQUIRE(!implementation_->is_closed);
+  return implementation_->way(document, from, to);
+}
+
 Result<LabelEdit> LabelStore::take_foreign_changes() {
   Implementation& all = *implementation_;
   NADIR_REQUIRE(!all.is_closed);

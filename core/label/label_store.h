@@ -89,6 +89,14 @@ class LabelStore {
   /// Steps by number. @errors kMalformed, kIo.
   [[nodiscard]] Result<std::vector<LabelStep>> history(std::int64_t first, int count) const;
 
+  /// The edits that lead a copy of the document from one step to another, for looking at what was. Nothing is changed, neither
+  /// document() nor the file. @param document  As it stood at `from`; 0: the empty document.
+  /// @errors kInvalidOptions: there is no such step, or the document is not of that one; kMalformed: the history is damaged
+  /// there; kIo.
+  [[nodiscard]] Result<std::vector<LabelEdit>> way(const LabelDocument& document,
+                                                   std::int64_t from,
+                                                   std::int64_t to) const;
+
   /// Takes over what another program has written into the tables of objects, as a step; what another Nadir has written, with
   /// its steps. @returns the edit; empty where nothing has changed. @errors as commit().
   [[nodiscard]] Result<LabelEdit> take_foreign_changes();

@@ -174,17 +174,27 @@ Result<LabelEdit> LabelStore::Implementation::go(const LabelStep& step, StepDire
   return edit;
 }
 
+Result<LabelStep> LabelStore::Implementation::sound_step(std::int64_t number,
+                                                         ErrorCode if_missing) const {
+  auto step = read_step(database(), number);
+  if (!step) return forward_error(step);
+  if (!*step) {
+    return fail(if_missing, "{}: its history has no step {}", path.string(), number);
+  }
+  // Parents are older than what follows them; where they are not, the way up has no end.
+  if ((*step)->parent >= number || (*step)->parent < 0) {
+    return fail(ErrorCode::kMalformed, "{}: step {} of its history follows none", path.string(),
+                number);
+  }
+  return std::move(**step);
+}
+
 Result<void> LabelStore::Implementation::go_to(std::int64_t number) {
   std::vector<LabelStep> way;  // From the step wanted up to the beginning.
   for (std::int64_t at = number; at != 0; at = way.back().parent) {
-    auto step = read_step(database(), at);
+    auto step = sound_step(at, way.empty() ? ErrorCode::kInvalidOptions : ErrorCode::kMalformed);
     if (!step) return forward_error(step);
-    // Parents are older than what follows them; where they are not, the way up has no end.
-    if (!*step || (*step)->parent >= at || (*step)->parent < 0) {
-      return fail(way.empty() ? ErrorCode::kInvalidOptions : ErrorCode::kMalformed,
-                  "{}: its history has no step {}", path.string(), at);
-    }
-    way.push_back(std::move(**step));
+    way.push_back(std::move(*step));
   }
   const auto is_on_way = [&](std::int64_t step) {
     return step == 0 || std::any_of(way.begin(), way.end(),
@@ -200,6 +210,40 @@ Result<void> LabelStore::Implementation::go_to(std::int64_t number) {
     if (auto gone = go(*step, StepDirection::kRedo); !gone) return forward_error(gone);
   }
   return {};
+}
+
+Result<std::vector<LabelEdit>> LabelStore::Implementation::way(const LabelDocument& start,
+                                                               std::int64_t from,
+                                                               std::int64_t to) const {
+  // The younger of two ends is never before the older one, so that both come to where the branches part.
+  std::vector<std::pair<LabelStep, StepDirection>> steps, forth;
+  while (from != to) {
+    const bool is_end = from > to ? steps.empty() : forth.empty();
+    auto step =
+        sound_step(std::max(from, to), is_end ? ErrorCode::kInvalidOptions : ErrorCode::kMalformed);
+    if (!step) return forward_error(step);
+    const bool goes_back = from > to;
+    (goes_back ? from : to) = step->parent;
+    (goes_back ? steps : forth)
+        .emplace_back(std::move(*step), goes_back ? StepDirection::kUndo : StepDirection::kRedo);
+  }
+  steps.insert(steps.end(), forth.rbegin(), forth.rend());
+  std::vector<LabelEdit> edits;
+  edits.reserve(steps.size());
+  std::optional<LabelDocument>
+      after;  // From the second step on, so that one costs what its edit does.
+  for (const auto& [step, direction] : steps) {
+    if (!edits.empty()) {
+      if (!after) after = start;
+      after->apply(edits.back());
+    }
+    const LabelDocument& at = after ? *after : start;
+    auto edit = edit_of_step(database(), step, direction, at);
+    if (!edit) return forward_error(edit, path.string());
+    if (auto fits = at.check(*edit); !fits) return forward_error(fits, path.string());
+    edits.push_back(std::move(*edit));
+  }
+  return edits;
 }
 
 Result<ForeignChanges> LabelStore::Implementation::find_foreign() {

@@ -60,6 +60,10 @@ struct LabelStore::Implementation {
   [[nodiscard]] Result<LabelEdit> go(const LabelStep& step, StepDirection direction);
   /// Over as many steps as it takes, each by itself. @param number  0: the empty document.
   [[nodiscard]] Result<void> go_to(std::int64_t number);
+  /// As LabelStore::way().
+  [[nodiscard]] Result<std::vector<LabelEdit>> way(const LabelDocument& start,
+                                                   std::int64_t from,
+                                                   std::int64_t to) const;
   [[nodiscard]] Result<LabelEdit> take_foreign();
   /// Whether what is written would be found again (label_store_guard.cpp): the names of document, lock and files of changes
   /// still stand for what is open. What others have removed beside the document is made again.
@@ -68,6 +72,8 @@ struct LabelStore::Implementation {
   [[nodiscard]] Result<void> close();
 
  private:
+  /// @errors `if_missing`; kMalformed: it comes before the one that it follows.
+  [[nodiscard]] Result<LabelStep> sound_step(std::int64_t number, ErrorCode if_missing) const;
   /// From now on it is only read, and has no history.
   void take_as_damaged();
   /// With the first write the file keeps its changes in a second one, so that a commit waits for no disk: the system has

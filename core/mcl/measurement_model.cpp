@@ -26,8 +26,14 @@ std::array<std::uint8_t, 256> costs_of_codes(double field_truncation_m, double t
   return costs;
 }
 
-/// Cost of each map cell for a topview cell of class `id`.
-CostRaster build_cost_raster(const MapIndex& index, ClassId id, const LocaliserOptions& options) {
+HalfCell half_cell(const TopviewCell& cell) {
+  return {static_cast<std::int16_t>(2 * cell.forward + 1),
+          static_cast<std::int16_t>(2 * cell.left + 1)};
+}
+
+}  // namespace
+
+CostRaster class_cost_raster(const MapIndex& index, ClassId id, const LocaliserOptions& options) {
   const Raster<ClassId>& labels = index.map().labels;
   const auto unknown = static_cast<std::uint8_t>(std::lround(options.unknown_cost * kFullCost));
   const DistanceField* const field =
@@ -53,13 +59,6 @@ CostRaster build_cost_raster(const MapIndex& index, ClassId id, const LocaliserO
   return raster;
 }
 
-HalfCell half_cell(const TopviewCell& cell) {
-  return {static_cast<std::int16_t>(2 * cell.forward + 1),
-          static_cast<std::int16_t>(2 * cell.left + 1)};
-}
-
-}  // namespace
-
 Result<MapMatcher> MapMatcher::create(std::shared_ptr<const MapIndex> index,
                                       const LocaliserOptions& options,
                                       InstructionSet set) {
@@ -79,7 +78,7 @@ Result<MapMatcher> MapMatcher::create(std::shared_ptr<const MapIndex> index,
   MapMatcher matcher;
   matcher.alpha_ = importance_weights(index->statistics(), options.alpha);
   for (ClassId id = 0; id < kClassCount; ++id) {
-    if (matcher.alpha_[id] > 0.0) matcher.rasters_[id] = build_cost_raster(*index, id, options);
+    if (matcher.alpha_[id] > 0.0) matcher.rasters_[id] = class_cost_raster(*index, id, options);
   }
   matcher.index_ = std::move(index);
   matcher.max_cells_per_class_ = options.max_cells_per_class;

@@ -28,6 +28,12 @@ struct MatchCells {
   [[nodiscard]] bool empty() const { return total_weight <= 0.0; }
 };
 
+/// What each cell of a map costs a topview cell of class `id`: the ground of every weight. Of a map's part it is that of the
+/// whole, but within `truncation_m` of where the part was cut. O(cells), parallel.
+[[nodiscard]] CostRaster class_cost_raster(const MapIndex& index,
+                                           ClassId id,
+                                           const LocaliserOptions& options);
+
 /// Compares topviews with one map: the kernel behind weights, error surface and agreement.
 /// Immutable after construction and safe to share between threads.
 class MapMatcher {

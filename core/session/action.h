@@ -12,6 +12,8 @@
 #include "core/session/actions_export.h"
 #include "core/session/actions_files.h"
 #include "core/session/actions_history.h"
+#include "core/session/actions_label.h"
+#include "core/session/actions_label_edit.h"
 #include "core/session/actions_layout.h"
 #include "core/session/actions_map.h"
 #include "core/session/actions_runs.h"
@@ -29,6 +31,7 @@ using AnyAction = std::variant<actions::OpenFile,
                                actions::SaveNow,
                                actions::Quit,
                                actions::Seek,
+                               actions::GoToMoment,
                                actions::StepBy,
                                actions::GoTo,
                                actions::Play,
@@ -80,6 +83,43 @@ using AnyAction = std::variant<actions::OpenFile,
                                actions::AddBookmark,
                                actions::EditBookmark,
                                actions::RemoveBookmark,
+                               actions::OpenLabels,
+                               actions::CloseLabels,
+                               actions::SetWorkspace,
+                               actions::ShowLabelTab,
+                               actions::ShowBorders,
+                               actions::SetLabelOpacity,
+                               actions::SetLabelOption,
+                               actions::LastClass,
+                               actions::AddPlace,
+                               actions::TraceTo,
+                               actions::TypeLeg,
+                               actions::FinishTool,
+                               actions::CancelTool,
+                               actions::DrawArea,
+                               actions::DrawLine,
+                               actions::DrawOutline,
+                               actions::DrawStreet,
+                               actions::CutHole,
+                               actions::StrokeLabels,
+                               actions::FillLabels,
+                               actions::RecodeLabels,
+                               actions::SelectLabels,
+                               actions::SelectBox,
+                               actions::MoveVertex,
+                               actions::AddVertex,
+                               actions::MoveLabels,
+                               actions::DuplicateLabels,
+                               actions::CopyBeside,
+                               actions::EditLabels,
+                               actions::SetLabel,
+                               actions::JoinBorders,
+                               actions::SplitLabels,
+                               actions::PasteLabels,
+                               actions::GoToLabelStep,
+                               actions::ExportLabels,
+                               actions::ImportLabels,
+                               actions::SaveLabelsCopy,
                                actions::DismissNotice,
                                actions::Undo,
                                actions::Redo>;
@@ -91,7 +131,7 @@ inline constexpr bool kIsOneOf<One, std::variant<Kinds...>> = (std::is_same_v<On
 template <typename One>
 concept OneOfActions = kIsOneOf<One, AnyAction>;
 
-/// One thing that a user asked for. A class of its own, so that copying and destroying five dozen kinds is compiled in one
+/// One thing that a user asked for. A class of its own, so that copying and destroying a hundred kinds is compiled in one
 /// place; std::visit, std::get_if and std::holds_alternative take it as the variant that it is.
 class Action : public AnyAction {
  public:

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -109,6 +110,47 @@ Result<void> read_value(const ArgumentReader& reader,
   return {};
 }
 
+template <typename T>
+inline constexpr bool kIsList = std::is_same_v<T, PlaceList> || std::is_same_v<T, NumberList>;
+
+/// One of a list's things.
+Result<void> read_item(const ArgumentReader& reader, std::string_view word, PlaceList& into) {
+  const std::size_t comma = word.find(',');
+  const auto east_m = number_from<double>(word.substr(0, comma));
+  const auto north_m =
+      comma == std::string_view::npos ? std::nullopt : number_from<double>(word.substr(comma + 1));
+  if (!east_m || !north_m || !std::isfinite(*east_m) || !std::isfinite(*north_m)) {
+    return reader.wrong(word, fmt::format("'{}' is no place: write EAST,NORTH", word));
+  }
+  into.in_enu_m.emplace_back(*east_m, *north_m);
+  return {};
+}
+
+Result<void> read_item(const ArgumentReader& reader, std::string_view word, NumberList& into) {
+  const auto number = number_from<std::int64_t>(word);
+  if (!number) return reader.wrong(word, fmt::format("'{}' is not a whole number", word));
+  into.numbers.push_back(*number);
+  return {};
+}
+
+/// All that is left of a line, which may be nothing.
+template <typename List>
+Result<void> read_list(ArgumentReader& reader,
+                       const FormArgument& /*argument*/,
+                       bool /*is_last*/,
+                       bool& /*was_given*/,
+                       void* field) {
+  List& into = *static_cast<List*>(field);
+  into = {};
+  reader.rest = without_blanks(reader.rest);
+  for (; !reader.rest.empty(); reader.rest = without_blanks(reader.rest)) {
+    const std::string_view word = first_word(reader.rest);
+    if (auto read = read_item(reader, word, into); !read) return read;
+    reader.rest.remove_prefix(word.size());
+  }
+  return {};
+}
+
 /// @param was_given  Of the argument before, for a group that is not whole.
 template <typename T>
 Result<void> read_argument(ArgumentReader& reader,
@@ -136,7 +178,17 @@ Result<void> read_argument(ArgumentReader& reader,
   }
 }
 
-/// One field of an action, whatever its type: sixty actions are then compiled as a few types of fields.
+/// How a field of an action is read.
+template <typename T>
+constexpr auto reader_of() {
+  if constexpr (kIsList<T>) {
+    return &read_list<T>;
+  } else {
+    return &read_argument<T>;
+  }
+}
+
+/// One field of an action, whatever its type: a hundred actions are then compiled as a few types of fields.
 struct FieldToRead {
   void* field;
   Result<void> (*read)(ArgumentReader&, const FormArgument&, bool, bool&, void*);
@@ -164,7 +216,7 @@ Result<void> read_action(std::string_view rest, Action& into) {
       [rest](auto&... fields) {
         return read_fields(
             A::kForm, rest,
-            {FieldToRead{&fields, read_argument<std::remove_reference_t<decltype(fields)>>}...});
+            {FieldToRead{&fields, reader_of<std::remove_reference_t<decltype(fields)>>()}...});
       },
       into.emplace<A>().fields());
 }

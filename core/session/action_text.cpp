@@ -76,17 +76,29 @@ std::string argument_text(const T& value) {
   }
 }
 
+void append_list(std::string& text, const PlaceList& list) {
+  for (const Eigen::Vector2d& place : list.in_enu_m) {
+    text += fmt::format(" {},{}", place.x(), place.y());
+  }
+}
+
+void append_list(std::string& text, const NumberList& list) {
+  for (const std::int64_t number : list.numbers) text += fmt::format(" {}", number);
+}
+
 template <typename T>
 void append_argument(std::string& text, const void* field) {
   const T& value = *static_cast<const T*>(field);
-  if constexpr (detail::ArgumentType<T>::kIsOptional) {
+  if constexpr (std::is_same_v<T, PlaceList> || std::is_same_v<T, NumberList>) {
+    append_list(text, value);
+  } else if constexpr (detail::ArgumentType<T>::kIsOptional) {
     if (value) text += " " + argument_text(*value);
   } else {
     text += " " + argument_text(value);
   }
 }
 
-/// One field of an action, whatever its type: sixty actions are then compiled as a few types of fields.
+/// One field of an action, whatever its type: a hundred actions are then compiled as a few types of fields.
 struct FieldToWrite {
   const void* field;
   void (*append)(std::string&, const void*);

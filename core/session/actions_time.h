@@ -12,10 +12,19 @@ namespace nadir::actions {
 
 struct Seek {
   static constexpr std::string_view kForm = "seek SECONDS";
-  static constexpr std::string_view kHelp = "Go to a moment";
+  static constexpr std::string_view kHelp = "Go to another time";
   double time_s = 0.0;
   NADIR_ACTION_FIELDS(time_s)
   friend bool operator==(const Seek&, const Seek&) = default;
+};
+
+/// What a click on a mark asks for: the moment is to be looked at, so the map comes to it, nearer where it would be tiny.
+struct GoToMoment {
+  static constexpr std::string_view kForm = "moment SECONDS";
+  static constexpr std::string_view kHelp = "Go to a moment and have the map show it";
+  double time_s = 0.0;
+  NADIR_ACTION_FIELDS(time_s)
+  friend bool operator==(const GoToMoment&, const GoToMoment&) = default;
 };
 
 struct StepBy {

@@ -128,6 +128,9 @@ struct MergeKeys {
   std::string operator()(const actions::SetLayerOpacity& one) const {
     return fmt::format("opacity {}", enum_name(one.layer));
   }
+  std::string operator()(const actions::SetLabelOpacity& one) const {
+    return fmt::format("label opacity {}", enum_name(one.layer));
+  }
   std::string operator()(const actions::SetLayerColour& one) const {
     return fmt::format("colour {}", enum_name(one.layer));
   }

@@ -17,14 +17,17 @@ struct Command {
   std::string_view text;  ///< "theme dark"; parse_action() takes it where is_whole.
   std::string_view
       title;  ///< "Dark theme", as menus have it; "..." at the end where more input follows.
-  std::string_view menu;  ///< "File", "Edit", "View", "Run", "Go", "Help".
+  std::string_view menu;  ///< "File", "Edit", "View", "Run", "Go", "Label", "Help".
   std::string_view
       shortcut;  ///< "Ctrl+Shift+P", "Space", "["; empty: none. Names of keys as in look.md.
   bool is_whole = true;        ///< False: arguments are asked for, "export" by a file name.
   std::string_view also = {};  ///< Other words by which people look for it.
 };
 
-/// All, in the order of the menus; each shortcut stands for one command only.
+/// Commands on labels. Their shortcuts count only while labels are drawn, and there before those of others.
+inline constexpr std::string_view kLabelMenu = "Label";
+
+/// All, in the order of the menus; each shortcut stands for one command only, but for those on labels.
 [[nodiscard]] std::span<const Command> session_commands();
 
 /// Whether it can be done now; else why not, in a few words for a tooltip ("open a run first").

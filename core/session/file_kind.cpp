@@ -45,8 +45,23 @@ bool carries_recipe(const fs::path& path) {
   return beginning_of(path, kFarEnough).find("Drawn by Nadir") != std::string::npos;
 }
 
+/// Whether it is something that labels are drawn on: PNG and JPEG where a file beside them says where they lie.
+bool is_labelled_or_image(const fs::path& path) {
+  const std::string ending = lower_case_ending(path);
+  if (ending == ".gpkg" || ending == ".tif" || ending == ".tiff" || ending == ".mbtiles")
+    return true;
+  if (ending != ".png" && ending != ".jpg" && ending != ".jpeg") return false;
+  std::error_code error;
+  fs::path beside = path;
+  for (const char* const world : {".pgw", ".pngw", ".jgw", ".jpgw", ".jpegw", ".wld"}) {
+    if (fs::exists(beside.replace_extension(world), error)) return true;
+  }
+  return fs::exists(path.string() + ".aux.xml", error);
+}
+
 constexpr std::string_view kWhatOpens =
-    "Nadir opens runs, flights, maps, recipes and figures that it has drawn";
+    "Nadir opens runs, flights, maps, overhead images, labels, recipes and figures that it has "
+    "drawn";
 
 /// Of a database with a header of its own: every SQLite file holds there whose it is.
 bool is_foreign_database(const fs::path& path) {
@@ -121,6 +136,9 @@ Result<FileToOpen> file_to_open(const fs::path& path) {
   }
   if (path.filename() == "map.toml") return FileToOpen{FileKind::kMap, path.parent_path()};
   if (path.filename() == "flight.toml") return FileToOpen{FileKind::kFlight, path.parent_path()};
+  if (is_labelled_or_image(path) && !carries_recipe(path)) {
+    return FileToOpen{FileKind::kLabels, path};
+  }
   if (begins_like_sqlite(path)) {
     if (!is_foreign_database(path)) return FileToOpen{FileKind::kRun, path};
     return fail(ErrorCode::kUnsupported, "{}: is an SQLite database, but no run; {}", path.string(),
@@ -158,6 +176,7 @@ FileKind kind_at_a_glance(const fs::path& path, bool is_folder) {
   const std::string ending = lower_case_ending(path);
   if (ending == ".nadir") return FileKind::kRun;
   if (ending == ".toml") return kind_of_toml(path).value_or(FileKind::kOther);
+  if (is_labelled_or_image(path) && !carries_recipe(path)) return FileKind::kLabels;
   if (ending == ".png" || ending == ".svg") {
     return carries_recipe(path) ? FileKind::kFigure : FileKind::kOther;
   }

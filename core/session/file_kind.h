@@ -11,11 +11,21 @@
 namespace nadir {
 
 /// What something on the disk is to Nadir. Maps and most flights are folders, told by what they hold.
-enum class FileKind { kFolder, kRun, kMap, kFlight, kFigureRecipe, kRunRecipe, kFigure, kOther };
+enum class FileKind {
+  kFolder,
+  kRun,
+  kMap,
+  kFlight,
+  kFigureRecipe,
+  kRunRecipe,
+  kFigure,
+  kLabels,  ///< An overhead image or a labelling document: what labels can be drawn on.
+  kOther
+};
 template <>
 struct EnumNames<FileKind> {
-  static constexpr std::array<std::string_view, 8> kNames = {
-      "folder", "run", "map", "flight", "figure recipe", "recipe", "figure", "other"};
+  static constexpr std::array<std::string_view, 9> kNames = {
+      "folder", "run", "map", "flight", "figure recipe", "recipe", "figure", "image", "other"};
 };
 
 /// Whether it can be opened, rather than gone into or left alone.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/session/bookmarks.h"
+#include "core/session/label_view.h"
 #include "core/session/open_run.h"
 #include "core/session/session_works.h"
 #include "core/session/view_state.h"
@@ -25,6 +26,7 @@ struct KeptState {
 struct Standing {
   KeptState kept;
   Playback playback;
+  LabelView label;
   Overlay overlay = Overlay::kNone;
   std::string followed_run;
   std::optional<ComingRun> coming;

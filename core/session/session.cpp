@@ -16,17 +16,13 @@ namespace {
 
 constexpr std::size_t kMostLogLines = 10'000;
 
-/// Whether a user has asked for a moment to look at, rather than for another time: a click on a mark seeks it to the bit.
-bool goes_to_moment(const Action& action, const OpenRun* run) {
-  if (const auto* const seek = std::get_if<actions::Seek>(&action); seek != nullptr && run) {
-    const auto is_meant = [seek](const auto& one) { return one.time_s == seek->time_s; };
-    return std::any_of(run->moments.begin(), run->moments.end(), is_meant) ||
-           std::any_of(run->bookmarks.begin(), run->bookmarks.end(), is_meant);
-  }
+/// Whether a user has asked for a moment to look at, rather than for another time.
+bool goes_to_moment(const Action& action) {
   if (const auto* const go = std::get_if<actions::GoTo>(&action)) {
     return go->moment != Moment::kStart && go->moment != Moment::kEnd;
   }
-  return std::holds_alternative<actions::GoToDivergence>(action);
+  return std::holds_alternative<actions::GoToMoment>(action) ||
+         std::holds_alternative<actions::GoToDivergence>(action);
 }
 
 /// Whether a user goes to another time by hand.
@@ -73,13 +69,19 @@ Result<void> Session::Implementation::apply(const Action& action) {
   Standing before = standing();
   foreign_bookmarks.clear();
   const bool keeps_vehicle = moves_time(action) && is_vehicle_in_view();
+  const bool has_own_sight = labels_elsewhere();
+  if (has_own_sight) set_sight(label.elsewhere);
+  std::string words = words_for_log(action);
   auto done = std::visit([this](const auto& one) { return perform(one); }, action);
-  std::string words = action_text(action);
   if (!done) {
     put_back(std::move(before));
     add_log(fmt::format("# {}: {}", words, done.error().message), {});
     add_notice(Notice::Kind::kError, done.error().message, words);
     return done;
+  }
+  if (has_own_sight) {
+    if (labels_elsewhere()) label.elsewhere = sight_of(kept.view.map);
+    set_sight(sight_of(before.kept.view.map));
   }
   const bool is_history = std::holds_alternative<actions::Undo>(action) ||
                           std::holds_alternative<actions::Redo>(action);
@@ -93,13 +95,13 @@ Result<void> Session::Implementation::apply(const Action& action) {
   // Escape closes what lies over the window, and the shortcut does so again.
   const bool closes_nothing = std::holds_alternative<actions::ShowOverlay>(action) &&
                               before.overlay == Overlay::kNone && overlay == Overlay::kNone;
-  if (!closes_nothing) add_log(std::move(words), key);
+  if (!closes_nothing && !words.empty()) add_log(std::move(words), key);
   if (is_history) {
     reconcile();
   } else {
     settle(before.kept, change_title(action, kept.view), key);
   }
-  if (goes_to_moment(action, active())) {
+  if (goes_to_moment(action)) {
     bring_moment_into_view();
   } else if (keeps_vehicle) {
     keep_vehicle_in_view();
@@ -109,13 +111,24 @@ Result<void> Session::Implementation::apply(const Action& action) {
   return {};
 }
 
+std::string Session::Implementation::words_for_log(const Action& action) const {
+  const bool is_place = std::holds_alternative<actions::AddPlace>(action);
+  const bool is_end = std::holds_alternative<actions::FinishTool>(action);
+  const bool is_drawn_freely =
+      (is_place || is_end) && labels && labels->desk && draws_freely(label.tool.kind);
+  if (!is_drawn_freely) return action_text(action);
+  if (is_place) return {};
+  return action_text(stroke_of_hand(*labels->desk));
+}
+
 Standing Session::Implementation::standing() const {
-  return {kept, playback, overlay, followed_run, coming, wanted_time_s, map_wishes};
+  return {kept, playback, label, overlay, followed_run, coming, wanted_time_s, map_wishes};
 }
 
 void Session::Implementation::put_back(Standing before) {
   kept = std::move(before.kept);
   playback = before.playback;
+  label = std::move(before.label);
   overlay = before.overlay;
   followed_run = std::move(before.followed_run);
   coming = std::move(before.coming);
@@ -142,6 +155,7 @@ void Session::Implementation::poll(double elapsed_s) {
   poll_reruns();
   offer_localising();
   poll_small_works();
+  poll_labels(elapsed_s);
   move_on(elapsed_s);
   let_go_of_particle();
   request_steps();

@@ -19,6 +19,9 @@
 
 namespace nadir {
 
+class LabelDesk;
+struct LabelView;
+
 /// Where a session finds and keeps things.
 struct SessionPlaces {
   std::filesystem::path
@@ -26,6 +29,9 @@ struct SessionPlaces {
   std::filesystem::path
       data;  ///< Folder for the demo and for new runs whose flight's folder cannot be written.
   std::filesystem::path bundled_map;  ///< The demo's map.
+  std::filesystem::path resources =
+      {};  ///< Folder with street profiles (profiles) and rules of imports (rules).
+  std::string author = "unknown";  ///< Who draws labels, for their history.
   /// The recipe that a PNG or SVG carries, as text; called from a job's thread. Empty: figures cannot be opened.
   std::function<Result<std::string>(const std::filesystem::path& figure)> recipe_in_figure = {};
   /// What is open is kept for the next start; else what was open last stays there, whatever is opened now. Preferences are
@@ -69,8 +75,12 @@ class Session {
   [[nodiscard]] const OpenMap* map() const;             ///< Null: none.
   /// Flight of the active run, without a run the one opened by itself; null where it is not there or not read yet.
   [[nodiscard]] std::shared_ptr<const FlightRecording> flight() const;
-  /// The flight that was opened by itself, to be localised; null: none, or not read yet.
-  [[nodiscard]] std::shared_ptr<const FlightRecording> opened_flight() const;
+  /// The run that a rerun goes by, from its flight to its start: until the run that was begun last is seen, one from the start
+  /// goes by that. Null: none, the flight that was opened by itself is localised.
+  [[nodiscard]] const OpenRun* run_to_rerun(RerunFrom from) const;
+  /// The flight that a rerun would localise. @errors kInvalidOptions: it is not there, or not read yet, in a sentence.
+  [[nodiscard]] Result<std::shared_ptr<const FlightRecording>> flight_to_rerun(
+      RerunFrom from) const;
   /// Index of the active run's step at the moment; nothing without a run or before it is read.
   [[nodiscard]] std::optional<std::size_t> step_index() const;
   /// The same with particles and topview; null until it has been decoded.
@@ -89,6 +99,10 @@ class Session {
   /// How the next run from the start begins, as a run's header has it; empty: not known. That too goes by the run that was
   /// begun last until it is seen, else by the active one.
   [[nodiscard]] std::string draft_prior() const;
+  /// Which workspace is in front, what is labelled and with what.
+  [[nodiscard]] const LabelView& label_view() const;
+  /// The labels that are open; null: none, or they are still being opened.
+  [[nodiscard]] const LabelDesk* label_desk() const;
   [[nodiscard]] std::span<const Notice> notices() const;
   [[nodiscard]] std::vector<JobStatus> jobs() const;
   [[nodiscard]] std::span<const std::string> log()

@@ -23,8 +23,13 @@ const OpenMap* Session::map() const {
 std::shared_ptr<const FlightRecording> Session::flight() const {
   return implementation_->flight_of(implementation_->flight_path());
 }
-std::shared_ptr<const FlightRecording> Session::opened_flight() const {
-  return implementation_->flight_of(implementation_->kept.view.flight_path);
+const OpenRun* Session::run_to_rerun(RerunFrom from) const {
+  return implementation_->run_to_rerun(from);
+}
+Result<std::shared_ptr<const FlightRecording>> Session::flight_to_rerun(RerunFrom from) const {
+  const auto path = implementation_->flight_to_localise(run_to_rerun(from));
+  if (!path) return forward_error(path);
+  return implementation_->flight_of(*path);
 }
 
 std::optional<std::size_t> Session::step_index() const {
@@ -48,6 +53,11 @@ std::optional<std::size_t> Session::step_index_of(int run) const {
   return there->index_at(here->time_in(*there, implementation_->playback.time_s));
 }
 
+const LabelView& Session::label_view() const { return implementation_->label; }
+const LabelDesk* Session::label_desk() const {
+  const std::optional<LabelWork>& labels = implementation_->labels;
+  return labels && labels->desk ? &*labels->desk : nullptr;
+}
 MapLook Session::resolved_map_look() const { return implementation_->resolved_look(); }
 Result<RunOptions> Session::draft_options() const { return implementation_->draft_options(); }
 Result<RunOptions> Session::draft_base() const {
@@ -91,11 +101,13 @@ std::vector<std::string> Session::layout_names() const {
 }
 
 std::optional<std::string> Session::undo_title() const {
+  if (const LabelDesk* const desk = implementation_->desk_in_front()) return desk->undo_title();
   if (!implementation_->history.can_undo()) return std::nullopt;
   return implementation_->history.undo_title();
 }
 
 std::optional<std::string> Session::redo_title() const {
+  if (const LabelDesk* const desk = implementation_->desk_in_front()) return desk->redo_title();
   if (!implementation_->history.can_redo()) return std::nullopt;
   return implementation_->history.redo_title();
 }

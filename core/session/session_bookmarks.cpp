@@ -95,6 +95,7 @@ Result<void> Session::Implementation::go_to_state(KeptState state) {
 }
 
 Result<void> Session::Implementation::perform(const actions::Undo& /*action*/) {
+  if (LabelDesk* const desk = desk_in_front()) return desk->undo();
   if (!history.can_undo()) {
     return fail(ErrorCode::kInvalidOptions, "there is nothing to take back");
   }
@@ -105,6 +106,7 @@ Result<void> Session::Implementation::perform(const actions::Undo& /*action*/) {
 }
 
 Result<void> Session::Implementation::perform(const actions::Redo& /*action*/) {
+  if (LabelDesk* const desk = desk_in_front()) return desk->redo();
   if (!history.can_redo()) {
     return fail(ErrorCode::kInvalidOptions, "there is nothing to do again");
   }

@@ -14,6 +14,8 @@
 
 namespace nadir {
 
+struct ImportedLabels;
+
 /// All of a session, by what it remembers (session_state.h). Its functions stand in session_*.cpp, by what they are about; perform() does what an action asks for and
 /// may leave things half done where it fails, for apply() then takes everything back.
 struct Session::Implementation : SessionState {
@@ -24,6 +26,8 @@ struct Session::Implementation : SessionState {
 
   // session.cpp
   Result<void> apply(const Action& action);
+  /// The words of an action; of a stroke, whose places come one by one, nothing until it is finished, and then all of it.
+  [[nodiscard]] std::string words_for_log(const Action& action) const;
   [[nodiscard]] Standing standing() const;
   void put_back(Standing before);
   void poll(double elapsed_s);
@@ -117,6 +121,7 @@ struct Session::Implementation : SessionState {
 
   // session_playback.cpp
   Result<void> perform(const actions::Seek& action);
+  Result<void> perform(const actions::GoToMoment& action);
   Result<void> perform(const actions::StepBy& action);
   Result<void> perform(const actions::GoTo& action);
   Result<void> perform(const actions::Play& action);
@@ -151,6 +156,7 @@ struct Session::Implementation : SessionState {
   Result<void> perform(const actions::Fit& action);
   [[nodiscard]] MapLook resolved_look() const;
   [[nodiscard]] MapLook fitted(MapLook look, FitTo to) const;
+  [[nodiscard]] std::vector<Eigen::Vector2d> corners_of_labels() const;
   /// What shows all of a run, or of the map, stays as it is when this run begins, which is small at first.
   [[nodiscard]] std::optional<HeldView> hold_view_for(const std::string& run);
   /// The map fits itself again, unless somebody has moved it since.
@@ -162,13 +168,75 @@ struct Session::Implementation : SessionState {
   void bring_moment_into_view();
   /// Where the vehicle is thought to be at the cursor; nothing where nobody knows, or the map is of another place.
   [[nodiscard]] std::optional<Eigen::Vector2d> vehicle_in_enu_m() const;
-  /// Whether the map shows where the vehicle is thought to be. True where nobody knows.
+  /// Whether where the vehicle is thought to be lies on the map's page, as the window has it. True where nobody knows.
   [[nodiscard]] bool is_vehicle_in_view() const;
-  /// Moves the map, as large as it is, where the vehicle has left it. For time that jumps: who has looked elsewhere before is
-  /// not taken away from there.
+  /// Moves the map, as large as it is, where the vehicle has left it: that comes into the middle of what controls leave. For time
+  /// that jumps: who has looked elsewhere before is not taken away from there.
   void keep_vehicle_in_view();
   /// The map's centre, where nobody minds: no step of the history.
   void move_view_to(const Eigen::Vector2d& centre_in_enu_m);
+
+  // session_labels.cpp
+  Result<void> perform(const actions::OpenLabels& action);
+  Result<void> perform(const actions::CloseLabels& action);
+  Result<void> perform(const actions::SetWorkspace& action);
+  Result<void> perform(const actions::ShowLabelTab& action);
+  Result<void> perform(const actions::ShowBorders& action);
+  Result<void> perform(const actions::SetLabelOpacity& action);
+  Result<void> perform(const actions::SetLabelOption& action);
+  Result<void> perform(const actions::LastClass& action);
+  Result<void> perform(const actions::AddPlace& action);
+  Result<void> perform(const actions::TraceTo& action);
+  Result<void> perform(const actions::TypeLeg& action);
+  Result<void> perform(const actions::FinishTool& action);
+  Result<void> perform(const actions::CancelTool& action);
+  Result<void> perform(const actions::SelectLabels& action);
+  Result<void> perform(const actions::SelectBox& action);
+  /// @errors kInvalidOptions: no labels are open, or not yet.
+  [[nodiscard]] Result<LabelDesk*> need_desk();
+  /// The one that undo is about; null: the view is.
+  [[nodiscard]] LabelDesk* desk_in_front();
+  [[nodiscard]] Result<void> use_tool(const LabelTool& tool);
+  /// Whether the map shows labels of another place than that of map and runs: then it has a sight of its own.
+  [[nodiscard]] bool labels_elsewhere() const;
+  void set_sight(const GroundSight& sight);
+  void reconcile_labels();
+  void take_labels();
+  void poll_labels(double elapsed_s);
+
+  // session_label_edits.cpp
+  Result<void> perform(const actions::GoToLabelStep& action);
+  Result<void> perform(const actions::DrawArea& action);
+  Result<void> perform(const actions::DrawLine& action);
+  Result<void> perform(const actions::DrawOutline& action);
+  Result<void> perform(const actions::DrawStreet& action);
+  Result<void> perform(const actions::CutHole& action);
+  Result<void> perform(const actions::StrokeLabels& action);
+  Result<void> perform(const actions::FillLabels& action);
+  Result<void> perform(const actions::RecodeLabels& action);
+  Result<void> perform(const actions::MoveVertex& action);
+  Result<void> perform(const actions::AddVertex& action);
+  Result<void> perform(const actions::MoveLabels& action);
+  Result<void> perform(const actions::DuplicateLabels& action);
+  Result<void> perform(const actions::CopyBeside& action);
+  Result<void> perform(const actions::EditLabels& action);
+  Result<void> perform(const actions::SetLabel& action);
+  Result<void> perform(const actions::JoinBorders& action);
+  Result<void> perform(const actions::SplitLabels& action);
+  Result<void> perform(const actions::PasteLabels& action);
+  Result<void> draw(ObjectKind kind,
+                    const std::string& class_name,
+                    double width_m,
+                    const PlaceList& through);
+  Result<void> copy_labels(LabelDesk& desk);
+
+  // session_label_files.cpp
+  Result<void> perform(const actions::ExportLabels& action);
+  Result<void> perform(const actions::ImportLabels& action);
+  Result<void> perform(const actions::SaveLabelsCopy& action);
+  void take_import(const std::string& file,
+                   const ImportedLabels& imported,
+                   const std::string& into);
 
   // session_layout.cpp
   Result<void> perform(const actions::ShowPanel& action);
@@ -193,6 +261,8 @@ struct Session::Implementation : SessionState {
   /// The run that the next one goes by, from its options to its start: the one that was begun last until it is seen, else the
   /// active one. Null: none.
   [[nodiscard]] const OpenRun* run_to_repeat() const;
+  /// The same for a rerun from somewhere: from the cursor it is the active one, and of the flight opened by itself none.
+  [[nodiscard]] const OpenRun* run_to_rerun(RerunFrom from) const;
   [[nodiscard]] Result<RunOptions> draft_options() const;
   /// The same without the changes, and the preset's name. @errors kInvalidOptions: no such preset, or that run is still being
   /// read; kMalformed: what it recorded is none.
@@ -263,6 +333,9 @@ void take_run_out(ViewState& view, const std::string& path);
 
 /// The command line calls options by dashes, the window does not.
 [[nodiscard]] Error without_dashes(Error error);
+
+/// What a brush or eraser has been drawn along, as one action.
+[[nodiscard]] actions::StrokeLabels stroke_of_hand(const LabelDesk& desk);
 
 /// The absolute path of something that a user names.
 [[nodiscard]] std::string absolute_path(const std::filesystem::path& path);

@@ -192,7 +192,7 @@ Result<void> Session::Implementation::perform(const actions::Copy& action) {
 }
 
 Result<void> Session::Implementation::perform(const actions::CopyView& /*action*/) {
-  SavedView saved{kept.view, playback};
+  SavedView saved{kept.view, playback, {}};
   saved.view.map = resolved_look();
   effects.emplace_back(SetClipboardEffect{view_text(saved)});
   return {};

@@ -109,6 +109,8 @@ Result<void> Session::Implementation::perform(const actions::OpenFile& action) {
     }
     case FileKind::kMap:
       return open_map(path);
+    case FileKind::kLabels:
+      return perform(actions::OpenLabels{path.string()});
     case FileKind::kFolder:
     case FileKind::kOther:
     case FileKind::kFlight:

@@ -24,6 +24,11 @@ std::vector<JobStatus> Session::Implementation::jobs() const {
     add(work.number, (work.is_cancelled ? "stopping " : "localising ") + work.name,
         work.job.progress(), is_waited_for);
   }
+  if (labels && labels->opening) {
+    add(labels->number,
+        "opening the labels of " + std::filesystem::path(labels->path).filename().string(),
+        labels->opening->progress(), false);
+  }
   for (const SmallWork& work : small_works) {
     add(work.number, work.title, work.job.progress(), false);
   }
@@ -51,7 +56,8 @@ bool Session::Implementation::is_busy() const {
   const bool is_decoding = std::any_of(runs.begin(), runs.end(), [](const OpenRun& run) {
     return run.cache && !run.cache->is_cursor_ready();
   });
-  return playback.is_playing || is_reading || is_decoding || !reruns.empty() ||
+  const bool is_labelling = labels && (labels->opening || !labels->is_counted);
+  return playback.is_playing || is_labelling || is_reading || is_decoding || !reruns.empty() ||
          !small_works.empty() || !effect_works.empty();
 }
 
@@ -77,6 +83,9 @@ Result<void> Session::Implementation::perform(const actions::CancelJob& action) 
     effect->is_cancelled = true;
     effect->activity = "stopping";
     return {};
+  }
+  if (labels && labels->opening && labels->number == number) {
+    return perform(actions::CloseLabels{});
   }
   const auto reading = std::find_if(works.begin(), works.end(), is_it);
   if (reading == works.end() || !reading->reading) {

@@ -17,7 +17,7 @@ constexpr double kBetweenSavesWhilePlayingS = 10.0, kBetweenAttemptsS = 10.0;
 }  // namespace
 
 std::string Session::Implementation::session_text() const {
-  SavedView saved{kept.view, playback};
+  SavedView saved{kept.view, playback, label};
   saved.playback.is_playing = false;
   return view_text(saved);
 }
@@ -114,6 +114,11 @@ void Session::Implementation::restore() {
   if (is_gone(view.flight_path)) view.flight_path.clear();
   kept.view = std::move(view);
   playback = saved->playback;
+  label = std::move(saved->label);
+  if (is_gone(label.path)) {
+    label.path.clear();
+    label.workspace = Workspace::kReplay;
+  }
   wanted_time_s = playback.time_s;
   reconcile();
 }

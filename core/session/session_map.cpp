@@ -23,6 +23,7 @@ Result<void> check_place(const std::optional<double>& east_m,
 }  // namespace
 
 Result<ProjectPlane> Session::Implementation::plane() const {
+  if (labels_elsewhere() && labels && labels->desk) return labels->desk->sheet().now().plane();
   if (map && map->index) return map->index->map().plane;
   if (const RunDocument* const run = active_document()) {
     return ProjectPlane::create({run->header.plane_latitude_deg, run->header.plane_longitude_deg});

@@ -44,6 +44,10 @@ Result<void> Session::Implementation::perform(const actions::Seek& action) {
   return {};
 }
 
+Result<void> Session::Implementation::perform(const actions::GoToMoment& action) {
+  return perform(actions::Seek{action.time_s});
+}
+
 Result<void> Session::Implementation::perform(const actions::StepBy& action) {
   const auto run = need_run();
   if (!run) return forward_error(run);

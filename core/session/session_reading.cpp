@@ -58,6 +58,7 @@ void Session::Implementation::reconcile() {
   }
   share_memory();
   reconcile_map();
+  reconcile_labels();
   if (!view.flight_path.empty()) begin_flight(view.flight_path);
   settle_time();
 }

@@ -82,6 +82,18 @@ Result<fs::path> Session::Implementation::name_of_next_run(const FlightDescripti
   return tl::unexpected(last);
 }
 
+const OpenRun* Session::Implementation::run_to_rerun(RerunFrom from) const {
+  switch (from) {
+    case RerunFrom::kFlight:
+      return nullptr;
+    case RerunFrom::kCursor:
+      return active();
+    case RerunFrom::kStart:
+      break;
+  }
+  return run_to_repeat();
+}
+
 Result<std::string> Session::Implementation::flight_to_localise(const OpenRun* run) const {
   const std::string& path = run != nullptr
                                 ? works[static_cast<std::size_t>(run - runs.data())].flight_path
@@ -149,9 +161,7 @@ void Session::Implementation::say_what_of_map_changed(const OpenRun& run) {
 }
 
 Result<void> Session::Implementation::perform(const actions::Rerun& action) {
-  const OpenRun* const run = action.from == RerunFrom::kFlight   ? nullptr
-                             : action.from == RerunFrom::kCursor ? active()
-                                                                 : run_to_repeat();
+  const OpenRun* const run = run_to_rerun(action.from);
   const auto path_of_flight = flight_to_localise(run);
   if (!path_of_flight) return forward_error(path_of_flight);
   if (!map || !map->index) {

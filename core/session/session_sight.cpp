@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/session/map_sight.h"
 #include "core/session/session_core.h"
 #include "core/session/shared_ground.h"
 
@@ -131,18 +132,29 @@ bool is_elsewhere(const OpenMap& map, const RunDocument& run) {
 
 }  // namespace
 
+std::vector<Eigen::Vector2d> Session::Implementation::corners_of_labels() const {
+  if (!labels || !labels->desk) return {};
+  const LabelGrid& grid = labels->desk->sheet().now().grid();
+  const double right = grid.width, bottom = grid.height;
+  return {grid.enu_from_cells({0.0, 0.0}), grid.enu_from_cells({right, 0.0}),
+          grid.enu_from_cells({0.0, bottom}), grid.enu_from_cells({right, bottom})};
+}
+
 MapLook Session::Implementation::fitted(MapLook look, FitTo to) const {
   std::vector<Eigen::Vector2d> points;
-  const RunDocument* const run = active_document();
+  const bool is_elsewhere_labelled = labels_elsewhere();
+  const RunDocument* const run = is_elsewhere_labelled ? nullptr : active_document();
+  if (is_elsewhere_labelled) points = corners_of_labels();
   if (to == FitTo::kFlight && run != nullptr) points = run->outline_in_enu_m;
-  if (to == FitTo::kFlight &&
-      run == nullptr) {  // one that is being read: another of its flight shows the place
+  if (to == FitTo::kFlight && run == nullptr &&
+      !is_elsewhere_labelled) {  // one that is being read: another of its flight shows the place
     const auto read = std::find_if(runs.begin(), runs.end(),
                                    [](const OpenRun& open) { return open.document != nullptr; });
     if (read != runs.end()) points = read->document->outline_in_enu_m;
   }
   if (run != nullptr && map && is_elsewhere(*map, *run)) points.clear();
-  if (points.empty() && map && map->index) points = corners_of_map(map->index->map());
+  if (points.empty() && !is_elsewhere_labelled && map && map->index)
+    points = corners_of_map(map->index->map());
   if (points.empty()) {
     look.centre_in_enu_m.setZero();
     look.width_m = 100.0;
@@ -154,7 +166,14 @@ MapLook Session::Implementation::fitted(MapLook look, FitTo to) const {
 
 MapLook Session::Implementation::resolved_look() const {
   MapLook look = kept.view.map;
-  const RunDocument* const run = active_document();
+  const bool is_elsewhere = labels_elsewhere();
+  if (is_elsewhere) {
+    look.centre_in_enu_m = label.elsewhere.centre_in_enu_m;
+    look.width_m = label.elsewhere.width_m;
+    look.is_following = false;
+    if (look.up == MapUp::kHeading) look.up = MapUp::kFree;
+  }
+  const RunDocument* const run = is_elsewhere ? nullptr : active_document();
   const auto index = run != nullptr ? run->index_at(playback.time_s) : std::nullopt;
   std::optional<Rigid2> estimate;
   if (index && is_finite(run->steps[*index].estimate.moments.mean)) {
@@ -203,7 +222,8 @@ void Session::Implementation::let_go_of_view_unseen(const HeldView& held) {
 
 Result<void> Session::Implementation::perform(const actions::Fit& action) {
   MapLook look = resolved_look();
-  if (action.to == FitTo::kMap && !(map && map->index)) {
+  const bool shows_labels = label.workspace == Workspace::kLabel;
+  if (action.to == FitTo::kMap && !(map && map->index) && !shows_labels) {
     return fail(ErrorCode::kInvalidOptions, "{}",
                 map ? "the map is still being read" : "no map is open: open one first");
   }
@@ -229,6 +249,7 @@ Result<void> Session::Implementation::perform(const actions::Fit& action) {
 }
 
 void Session::Implementation::bring_moment_into_view() {
+  if (labels_elsewhere()) return;
   const MapLook look = resolved_look();
   const RunDocument* const run = active_document();
   const auto index = run != nullptr ? run->index_at(playback.time_s) : std::nullopt;
@@ -272,7 +293,7 @@ void Session::Implementation::move_view_to(const Eigen::Vector2d& centre_in_enu_
 std::optional<Eigen::Vector2d> Session::Implementation::vehicle_in_enu_m() const {
   const RunDocument* const run = active_document();
   const auto index = run != nullptr ? run->index_at(playback.time_s) : std::nullopt;
-  if (!index || (map && is_elsewhere(*map, *run))) return std::nullopt;
+  if (!index || labels_elsewhere() || (map && is_elsewhere(*map, *run))) return std::nullopt;
   const Rigid2& mean = run->steps[*index].estimate.moments.mean;
   return is_finite(mean) ? std::optional<Eigen::Vector2d>(mean.translation_m()) : std::nullopt;
 }
@@ -281,7 +302,7 @@ bool Session::Implementation::is_vehicle_in_view() const {
   const MapLook look = resolved_look();
   const auto vehicle = vehicle_in_enu_m();
   return look.is_following || !vehicle ||
-         shows_all(look, {*vehicle}, FreeView(look, map_room), map_room);
+         MapPage{look.centre_in_enu_m, look.width_m, look.up_rad, map_room.aspect}.shows(*vehicle);
 }
 
 void Session::Implementation::keep_vehicle_in_view() {

@@ -11,6 +11,7 @@
 #include "core/base/job.h"
 #include "core/session/history.h"
 #include "core/session/kept_state.h"
+#include "core/session/label_view.h"
 #include "core/session/saved_files.h"
 #include "core/session/session.h"
 #include "core/session/session_works.h"
@@ -49,7 +50,9 @@ struct SessionState {
   std::string offered;   ///< Flight and map that it was made for.
   int last_number = 0;   ///< Of jobs and notices.
   MapRoom map_room;
-  int direction = 1;  ///< In which time went last.
+  LabelView label;
+  std::optional<LabelWork> labels;  ///< As label.path says.
+  int direction = 1;                ///< In which time went last.
 
   // The active run as it was when time was last set, for another one may have other times.
   std::string timed_path;

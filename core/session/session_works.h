@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/desk/label_desk.h"
 #include "core/session/open_run.h"
 #include "core/session/rerun.h"
 
@@ -120,6 +121,17 @@ struct RerunWork {
   RerunOrigin origin;
   Job<RerunProgress, RerunOutcome> job;
   bool is_cancelled = false;
+};
+
+/// Labels that are open, or on their way.
+struct LabelWork {
+  std::string path;  ///< What was named.
+  int number = 0;    ///< As a job.
+  ReadingJob<LabelDesk> opening;
+  std::optional<LabelDesk> desk;
+  double since_poll_s = 0.0;
+  bool is_counted = false;  ///< Whether the cells of each class are known.
+  std::string last_fault;   ///< What was told last of what others do to the file.
 };
 
 /// Small work with one result: a table that is written, a figure whose recipe is read.

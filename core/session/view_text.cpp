@@ -84,6 +84,46 @@ Result<void> take_layers(const Settings& settings, MapLook& map) {
   return taken;
 }
 
+std::string label_lines(const LabelView& label) {
+  if (label == LabelView{}) return {};
+  std::string text = "\n[label]\n" + toml_line("path", std::string_view(label.path)) +
+                     toml_line("workspace", enum_name(label.workspace)) +
+                     toml_line("tab", enum_name(label.tab)) +
+                     toml_line("borders", label.shows_borders) +
+                     toml_line("labels_opacity", label.labels_opacity) +
+                     toml_line("picture_opacity", label.picture_opacity) +
+                     toml_line("centre", label.elsewhere.centre_in_enu_m) +
+                     toml_line("width_m", label.elsewhere.width_m) + "\n[label.tool]\n";
+  for (const OptionText& option : option_texts(label.tool)) {
+    text += toml_line(option.name, std::string_view(option.value));
+  }
+  return text;
+}
+
+void take_label(SettingsValues& values, LabelView& into) {
+  values.take("path", into.path);
+  values.take("workspace", into.workspace);
+  values.take("tab", into.tab);
+  values.take("borders", into.shows_borders);
+  values.take("labels_opacity", into.labels_opacity);
+  values.take("picture_opacity", into.picture_opacity);
+  into.labels_opacity = std::clamp(into.labels_opacity, 0.0, 1.0);
+  into.picture_opacity = std::clamp(into.picture_opacity, 0.0, 1.0);
+  values.take("centre", into.elsewhere.centre_in_enu_m);
+  values.take("width_m", into.elsewhere.width_m);
+  if (into.path.empty()) into.workspace = Workspace::kReplay;
+  const Settings& label = values.settings();
+  if (!values.outcome() || !label.has("tool")) return;
+  const auto tool = label.table("tool");
+  if (!tool) return values.say(forward_error(tool));
+  for (const std::string& name : tool->keys()) {
+    const auto value = tool->scalar_as_text(name);
+    if (!value) return values.say(forward_error(value));
+    LabelTool changed = into.tool;  // what this version does not know stays as it begins
+    if (set_option(changed, name, *value) && validate(changed)) into.tool = changed;
+  }
+}
+
 }  // namespace
 
 std::string view_text(const SavedView& saved) {
@@ -106,6 +146,7 @@ std::string view_text(const SavedView& saved) {
   text += map_lines(view.map);
   text += detail::layout_lines("layout", view.layout);
   text += detail::appearance_lines(view.appearance);
+  text += label_lines(saved.label);
   text += "\n[draft]\n" + toml_line("preset", std::string_view(view.draft.preset));
   if (!view.draft.changed.empty()) text += "\n[draft.changed]\n";
   for (const auto& [name, value] : view.draft.changed) {
@@ -156,6 +197,10 @@ Result<SavedView> parse_view_text(std::string_view text, const std::string& name
             return one_table(*settings, "appearance", [&](SettingsValues& appearance) {
               detail::take_appearance(appearance, view.appearance);
             });
+          })
+          .and_then([&] {
+            return one_table(*settings, "label",
+                             [&](SettingsValues& label) { take_label(label, saved.label); });
           })
           .and_then([&] {
             return one_table(*settings, "draft",

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/session/label_view.h"
 #include "core/session/open_run.h"
 #include "core/session/view_state.h"
 
@@ -17,6 +18,7 @@ namespace nadir {
 struct SavedView {
   ViewState view = default_view_state();
   Playback playback;  ///< Never playing.
+  LabelView label = {};
 };
 
 /// TOML with a version; paths as they are. parse_view_text() gives the same again.

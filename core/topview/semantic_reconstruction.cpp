@@ -139,4 +139,23 @@ Result<Raster<std::uint16_t>> SemanticReconstruction::votes() const {
   return assemble<std::uint16_t>(0, add_up);
 }
 
+void SemanticReconstruction::visit_cells(
+    const std::function<void(int i, int j, const CellVotes& votes)>& visit) const {
+  for (const auto& [index, block] : blocks_) {
+    for (std::size_t cell = 0; cell < kBlockCells; ++cell) {
+      CellVotes votes{};
+      bool has_any = false;
+      for (std::size_t id = 0; id < block.size(); ++id) {
+        if (block[id].empty()) continue;
+        votes[id] = block[id][cell];
+        has_any = has_any || votes[id] > 0;
+      }
+      if (!has_any) continue;
+      const auto within = static_cast<int>(cell);
+      visit(index.second * kBlockSide + (within & (kBlockSide - 1)),
+            index.first * kBlockSide + (within >> kBlockBits), votes);
+    }
+  }
+}
+
 }  // namespace nadir

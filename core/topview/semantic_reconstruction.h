@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -57,6 +58,11 @@ class SemanticReconstruction {
   /// Votes of each cell, all classes together, on the same raster; 65,535 stands for more as well.
   /// @errors kUnsupported: more than kMostCells.
   [[nodiscard]] Result<Raster<std::uint16_t>> votes() const;
+
+  /// Votes of a cell by class.
+  using CellVotes = std::array<std::uint16_t, kClassCount>;
+  /// Calls `visit(i, j, votes)` for each cell that has any, block by block from the south, in a block row by row.
+  void visit_cells(const std::function<void(int i, int j, const CellVotes& votes)>& visit) const;
 
  private:
   static constexpr int kBlockBits = 6;

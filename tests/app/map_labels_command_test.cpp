@@ -102,6 +102,15 @@ TEST_F(MapLabelsCommand, ExportNeverReplacesWhatItReads) {
   EXPECT_EQ(LabelStore::open(package + "/labels.gpkg", "ada")->document().objects().size(), 2U);
 }
 
+TEST_F(MapLabelsCommand, ExportReplacesNoOtherDocument) {
+  const std::string package = town();
+  const std::string other = at("other.gpkg");
+  ASSERT_EQ(run({"import", source(), "--out", other}), kDone) << err();
+  EXPECT_NE(run({"export", package, "--format", "geojson", "--out", other}), kDone);
+  EXPECT_THAT(err(), HasSubstr("other.gpkg: is a GeoPackage, which no export replaces"));
+  EXPECT_EQ(LabelStore::open(other, "ada")->document().objects().size(), 2U);
+}
+
 TEST_F(MapLabelsCommand, NothingIsMadeOfWhatIsLeftOfADamagedDocument) {
   const std::string package = town();
   const auto bytes = read_text_file(package + "/labels.tif").value();

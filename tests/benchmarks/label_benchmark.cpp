@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <benchmark/benchmark.h>
 
+#include <cstdlib>
 #include <memory>
+#include <numeric>
 
 #include "core/base/random.h"
+#include "core/desk/label_desk.h"
 #include "core/edit/edit_objects.h"
 #include "core/edit/edit_vertices.h"
+#include "core/exchange/ring_assembly.h"
+#include "core/label/label_store.h"
+#include "tests/support/scratch_folder.h"
 
 namespace {
 
@@ -19,7 +25,8 @@ constexpr double kSideM = 10.0;
 constexpr int kPlacesASide = 5;
 
 /// 20,000 lots side by side: each shares its borders with its neighbours, twenty places a lot.
-LabelDocument lots() {
+/// @param wider_m  So much larger than that each is, over its neighbours to the east and south.
+LabelDocument lots(double wider_m = 0.0) {
   LabelDocument document(*nadir::ProjectPlane::create({48.9877, 8.3877}),
                          {0.1, {0.0, 0.0}, 20'000, 10'000});
   nadir::LabelEdit edit;
@@ -30,15 +37,16 @@ LabelDocument lots() {
       lot->class_id = nadir::kTerrain;
       lot->order = 1;
       const Eigen::Vector2d corner(column * kSideM, -row * kSideM);
-      const double step = kSideM / kPlacesASide;
+      const double side_m = kSideM + wider_m;
+      const double step = side_m / kPlacesASide;
       Ring ring;
       for (int i = 0; i < kPlacesASide; ++i) ring.push_back(corner + Eigen::Vector2d(i * step, 0));
       for (int i = 0; i < kPlacesASide; ++i)
-        ring.push_back(corner + Eigen::Vector2d(kSideM, -i * step));
+        ring.push_back(corner + Eigen::Vector2d(side_m, -i * step));
       for (int i = 0; i < kPlacesASide; ++i)
-        ring.push_back(corner + Eigen::Vector2d(kSideM - i * step, -kSideM));
+        ring.push_back(corner + Eigen::Vector2d(side_m - i * step, -side_m));
       for (int i = 0; i < kPlacesASide; ++i)
-        ring.push_back(corner + Eigen::Vector2d(0, i * step - kSideM));
+        ring.push_back(corner + Eigen::Vector2d(0, i * step - side_m));
       lot->rings = {ring};
       edit.objects.push_back({nullptr, lot});
     }
@@ -93,9 +101,65 @@ void BM_SplitOneOf20000Objects(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(nadir::split(shared_lots(), one, line));
 }
 
+/// The first so many of the lots.
+std::vector<ObjectId> some_ids(const benchmark::State& state) {
+  std::vector<ObjectId> ids(static_cast<std::size_t>(state.range(0)));
+  std::iota(ids.begin(), ids.end(), ObjectId{1});
+  return ids;
+}
+
+void BM_RaiseSomeOf20000Objects(benchmark::State& state) {
+  const std::vector<ObjectId> ids = some_ids(state);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(nadir::reorder(shared_lots(), ids, nadir::OrderMove::kUp));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+void BM_ClipSomeOf20000Objects(benchmark::State& state) {
+  static const LabelDocument overlapping = lots(1.0);
+  const std::vector<ObjectId> ids = some_ids(state);
+  for (auto _ : state) {
+    const auto edit = nadir::clip(overlapping, ids, nadir::ClipSide::kThis);
+    if (!edit || edit->objects.size() < ids.size()) state.SkipWithError("nothing was clipped");
+  }
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+/// All corners of so many objects, by a box around them.
+void BM_PickWithinABox(benchmark::State& state) {
+  const nadir::ScratchFolder folder;
+  const auto path = folder.path() / "labels.gpkg";
+  if (!nadir::LabelStore::create(path, shared_lots(), "ada")) std::abort();
+  auto desk = nadir::LabelDesk::open(path, "ada");
+  if (!desk || !desk->select(some_ids(state), nadir::SelectHow::kInstead)) std::abort();
+  nadir::PlaneBounds box;
+  box.include({-1.0, 1.0});
+  box.include({kColumns * kSideM + 1.0, -kRows * kSideM - 1.0});
+  for (auto _ : state) desk->pick_within(box, nadir::SelectHow::kInstead);
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(desk->picked().size()));
+}
+
+/// Clearings in one wood, as a multipolygon of OpenStreetMap has them.
+void BM_AreasOfRings(benchmark::State& state) {
+  std::vector<Ring> rings{nadir::circle({0.0, 0.0}, 3000.0, 10'000)};
+  for (int i = 0; i < state.range(0); ++i) {
+    rings.push_back(nadir::circle({10.0 * (i % 200) - 1000.0, 10.0 * (i / 200) - 500.0}, 4.0, 12));
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(nadir::areas_of(rings));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
 BENCHMARK(BM_SnapIndexOf20000Objects)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_SnapNearestOf20000Objects)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_MoveSharedVertexOf20000Objects)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_SplitOneOf20000Objects)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_RaiseSomeOf20000Objects)
+    ->Arg(100)
+    ->Arg(2000)
+    ->Arg(20'000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_ClipSomeOf20000Objects)->Arg(100)->Arg(2000)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_PickWithinABox)->Arg(100)->Arg(2000)->Arg(20'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_AreasOfRings)->Arg(1000)->Arg(20'000)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -84,9 +84,9 @@ Result<LabelEdit> cut_gesture(Bytes& bytes, const LabelDocument& document) {
     case 2:
       return nadir::merge(document, some_objects(bytes, document));
     case 3:
-      return nadir::subtract(document, some_object(bytes, document), some_object(bytes, document));
+      return nadir::subtract(document, some_object(bytes, document), some_objects(bytes, document));
     case 4:
-      return nadir::clip(document, some_object(bytes, document),
+      return nadir::clip(document, some_objects(bytes, document),
                          bytes.next() % 2 != 0 ? nadir::ClipSide::kThis : nadir::ClipSide::kOthers);
     default: {
       const nadir::ClassId from = some_class(bytes);

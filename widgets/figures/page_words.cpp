@@ -88,10 +88,10 @@ void draw_page_legend(Canvas& canvas,
   for (LegendEntry& entry : shown) {
     entry.name = shortened_to(entry.name, style, rest.width - kSamplePt * px);
   }
-  const double height = legend_height(rest.width, shown, px);
-  if (height <= 0.0 || height > kMostShare * rest.height) return;
-  const PageRect strip = take_top(rest, height, 4.0 * px);
-  draw_legend(canvas, strip, shown, format.colours(), px);
+  const LegendLayout layout = legend_layout(rest.width, shown, px);
+  if (layout.height_px <= 0.0 || layout.height_px > kMostShare * rest.height) return;
+  const PageRect strip = take_top(rest, layout.height_px, 4.0 * px);
+  draw_legend(canvas, strip, shown, layout, format.colours(), px);
 }
 
 void draw_frame(Canvas& canvas, const PageFormat& format, const PageRect& panel) {

@@ -169,6 +169,28 @@ std::string icon_name(Icon icon) {
       return "plane";
     case Icon::kSplit:
       return "split";
+    case Icon::kPointer:
+      return "pointer";
+    case Icon::kShare:
+      return "vertices";
+    case Icon::kObject:
+      return "object";
+    case Icon::kBuilding:
+      return "building";
+    case Icon::kSquare:
+      return "square";
+    case Icon::kCircle:
+      return "circle";
+    case Icon::kRoad:
+      return "road";
+    case Icon::kHole:
+      return "hole";
+    case Icon::kScissors:
+      return "scissors";
+    case Icon::kTint:
+      return "drop";
+    case Icon::kExchange:
+      return "exchange";
     case Icon::kBug:
       return "bug";
     case Icon::kNone:

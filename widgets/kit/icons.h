@@ -88,6 +88,17 @@ enum class Icon : std::uint16_t {
   kPlane = 0xf072,
   kSplit = 0xf0db,
   kBug = 0xf188,
+  kPointer = 0xf245,
+  kShare = 0xf1e0,  ///< Three dots joined by lines.
+  kObject = 0xf247,
+  kBuilding = 0xf1ad,
+  kSquare = 0xf096,
+  kCircle = 0xf10c,
+  kRoad = 0xf018,
+  kHole = 0xf192,  ///< A dot within a ring.
+  kScissors = 0xf0c4,
+  kTint = 0xf043,
+  kExchange = 0xf0ec,
 };
 
 /// The icon as UTF-8, to be put into any label; empty for kNone.

@@ -96,7 +96,7 @@ void draw_bookmark(kit::Ui& ui,
   } else if (wants_remove) {
     asked.emplace_back(actions::RemoveBookmark{number});
   } else if (input.was_clicked) {
-    asked.emplace_back(actions::Seek{bookmark.time_s});
+    asked.emplace_back(actions::GoToMoment{bookmark.time_s});
   }
 }
 
@@ -117,7 +117,7 @@ void draw_moment(kit::Ui& ui,
   row.hint = {
       moment_words(moment), "", "",
       severity.empty() ? std::string(look.meaning) : fmt::format("{}; {}", look.meaning, severity)};
-  if (ui.list_row("##go", row).was_clicked) asked.emplace_back(actions::Seek{moment.time_s});
+  if (ui.list_row("##go", row).was_clicked) asked.emplace_back(actions::GoToMoment{moment.time_s});
   ui.same_line(0.0);
   ui.right_align(inside);
   ui.icon(look.icon, moment_look(moment));

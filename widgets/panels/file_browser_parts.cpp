@@ -32,6 +32,8 @@ constexpr std::ptrdiff_t kRowsOfAPage = 10;
       return kit::Icon::kList;
     case FileKind::kFigure:
       return kit::Icon::kBars;
+    case FileKind::kLabels:
+      return kit::Icon::kPaintBrush;
     case FileKind::kOther:
       break;
   }

@@ -10,16 +10,17 @@
 namespace nadir {
 
 /// One of the three ways to work with Nadir.
-struct Workspace {
+struct RailEntry {
   std::string name;
   kit::Icon icon = kit::Icon::kNone;
   std::string hint;     ///< What it is for.
   std::string why_not;  ///< Empty: it can be gone to.
   bool is_chosen = false;
+  Action wish = {};  ///< That goes there.
 };
 
 struct LeftRailModel {
-  std::vector<Workspace> workspaces;
+  std::vector<RailEntry> workspaces;
 };
 
 /// Width of the design.

@@ -158,20 +158,24 @@ Actions draw_map_tools(kit::Ui& ui, const MapViewModel& model, const kit::Rect& 
                           MapTool which) {
     deed(name, icon, text, actions::UseTool{which}, look.tool == which);
   };
-  choice("Pan", kit::Icon::kMove, "Move the map by dragging; drag the right button to turn it",
-         MapTool::kPan);
-  choice("Measure", kit::Icon::kRuler, "Measure distance, bearing and area by clicking places",
-         MapTool::kMeasure);
-  choice("Pick", kit::Icon::kLocate, "Click a particle to see its pose, weight and errors",
-         MapTool::kPick);
+  if (model.labels == nullptr) {
+    choice("Pan", kit::Icon::kMove, "Move the map by dragging; drag the right button to turn it",
+           MapTool::kPan);
+    choice("Measure", kit::Icon::kRuler, "Measure distance, bearing and area by clicking places",
+           MapTool::kMeasure);
+    choice("Pick", kit::Icon::kLocate, "Click a particle to see its pose, weight and errors",
+           MapTool::kPick);
+  }
   deed("Zoom in", kit::Icon::kPlus, "Show it larger", actions::Zoom{}, false, true);
   deed("Zoom out", kit::Icon::kMinus, "Show it smaller", actions::Zoom{1.0 / 1.5, {}, {}});
   const bool has_flight = !model.runs.empty();
   deed("Fit", kit::Icon::kExpand, has_flight ? "Show the whole flight" : "Show the whole map",
        actions::Fit{has_flight ? FitTo::kFlight : FitTo::kMap});
-  deed("Follow", kit::Icon::kMapMarker, "Keep the estimate in the middle",
-       actions::Follow{Switch::kToggle}, look.is_following, true);
-  if (!has_flight) tools.back().disabled_because = "open a run first";
+  if (model.labels == nullptr) {
+    deed("Follow", kit::Icon::kMapMarker, "Keep the estimate in the middle",
+         actions::Follow{Switch::kToggle}, look.is_following, true);
+    if (!has_flight) tools.back().disabled_because = "open a run first";
+  }
   const bool is_heading_up = look.up == MapUp::kHeading;
   deed("Up", kit::Icon::kCompass,
        is_heading_up ? "Heading is up; click for north"

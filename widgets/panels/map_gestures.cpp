@@ -41,7 +41,7 @@ void MapPaneView::handle_gestures() {
   if (area_.is_hovered) {
     state_.readout = map_readout(under_mouse(), model_.map ? &model_.map->map() : nullptr,
                                  model_.plane ? &*model_.plane : nullptr);
-    if (area_.wheel.y() != 0.0) zoom(std::pow(kMapZoomPerNotch, area_.wheel.y()));
+    if (area_.wheel.y() != 0.0) zoom_by_wheel();
     if (ui_.is_pressed("R", true)) asked_.emplace_back(actions::Rotate{kTurnDeg});
     if (ui_.is_pressed("Shift+R", true)) asked_.emplace_back(actions::Rotate{-kTurnDeg});
   }
@@ -58,6 +58,8 @@ void MapPaneView::handle_gestures() {
     click();
   }
 }
+
+void MapPaneView::zoom_by_wheel() { zoom(std::pow(kMapZoomPerNotch, area_.wheel.y())); }
 
 void MapPaneView::zoom(double factor) {
   const double metres_per_px = camera_.metres_per_px / factor;

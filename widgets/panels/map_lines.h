@@ -53,6 +53,12 @@ void draw_particle_ring(Canvas& canvas,
                                                   const SeenClasses& seen,
                                                   const Theme& theme,
                                                   bool with_classes = true);
+/// The same whatever the moment is, about as high as it may become while the runs play: what one of their steps has counts as
+/// there, and of classes those of the map. By it a fitted map leaves room, so that it rests while time passes.
+[[nodiscard]] std::vector<LegendEntry> lasting_map_legend(const MapViewModel& model,
+                                                          const std::vector<int>& shown,
+                                                          const Theme& theme,
+                                                          bool with_classes = true);
 /// On a plate at the lower right of the map, as narrow as it may be so that it is not high. Where it has no room its last
 /// entries are left out, and counted. @param fit  Of the last frame; made anew where that is of something else.
 /// @returns the plate; without area where there is nothing to say, or no room to say it.
@@ -61,6 +67,10 @@ PageRect draw_map_legend(Canvas& canvas,
                          const std::vector<LegendEntry>& entries,
                          const Theme& theme,
                          LegendFit& fit);
+/// The plate alone, where nothing is drawn.
+[[nodiscard]] PageRect place_of_map_legend(const MapFrame& frame,
+                                           const std::vector<LegendEntry>& entries,
+                                           LegendFit& fit);
 
 /// Whether lines lie on pictures or labels, or on the plain window.
 [[nodiscard]] bool has_ground_picture(const MapViewModel& model);

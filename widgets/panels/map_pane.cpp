@@ -53,8 +53,13 @@ Actions MapPaneView::draw() {
     state_.camera = camera_;
     state_.where = where_;
   }
-  handle_gestures();
-  draw_content();
+  if (model_.labels != nullptr) {
+    handle_label_gestures();
+    draw_label_content();
+  } else {
+    handle_gestures();
+    draw_content();
+  }
   const std::string menu = pane_.is_main ? "Menu" : "Second menu";
   for (Action& action : draw_map_menu(ui_, menu, model_, state_.menu_in_enu_m)) {
     asked_.push_back(std::move(action));
@@ -129,7 +134,7 @@ void MapPaneView::draw_furniture(const MapFrame& frame) {
   sharp.px_per_pt = ui_.px(kSharpText) / kScaleBarTextPt;
   draw_scale_bar(canvas, sharp, theme);
   draw_north_arrow(canvas, frame, theme);
-  PageRect legend;
+  PageRect legend, lasting;
   if (model_.look.layer(Layer::kLegend).is_visible) {
     // Of two halves the second names the classes, which are those of both.
     const bool with_classes = !pane_.is_half || !pane_.is_main;
@@ -137,6 +142,11 @@ void MapPaneView::draw_furniture(const MapFrame& frame) {
     const auto entries = map_legend(model_, pane_.shown, state_.seen_classes, theme, with_classes);
     legend = draw_map_legend(canvas, sharp, entries, theme,
                              pane_.is_main ? state_.legend : state_.second_legend);
+    if (pane_.is_main) {
+      lasting =
+          place_of_map_legend(sharp, lasting_map_legend(model_, pane_.shown, theme, with_classes),
+                              state_.lasting_legend);
+    }
   }
   if (legend.width > 0.0) {
     state_.legend_height_px = std::max(state_.legend_height_px, legend.top());
@@ -153,7 +163,7 @@ void MapPaneView::draw_furniture(const MapFrame& frame) {
   state_.room.aspect = where_.width / where_.height;
   state_.room.left = share(tools, where_.width);
   state_.room.bottom =
-      legend.width > 0.0 ? share(legend.top() - where_.bottom, where_.height) : 0.0;
+      lasting.width > 0.0 ? share(lasting.top() - where_.bottom, where_.height) : 0.0;
   state_.room.top = pane_.is_half ? share(ui_.px(32.0), where_.height) : 0.0;
 }
 

@@ -42,8 +42,13 @@ class MapPaneView {
   // map_gestures.cpp
   void handle_gestures();
   void zoom(double factor);
+  void zoom_by_wheel();
   void drag();
   void click();
+
+  // label_pane.cpp
+  void handle_label_gestures();
+  void draw_label_content();
 
   void draw_content();
   void draw_ground(const MapGround& ground);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/session/map_sight.h"
 #include "widgets/panels/shortcut_hint.h"
 
 namespace nadir {
@@ -32,11 +33,11 @@ std::optional<VehicleAway> vehicle_away(const MapViewModel& model,
   if (!run.is_active || !run.document || !run.step) return std::nullopt;
   const Rigid2& mean = run.document->steps[*run.step].estimate.moments.mean;
   if (!mean.translation_m().allFinite()) return std::nullopt;
+  const MapCamera& camera = frame.camera;
+  const MapPage page{camera.centre_in_enu_m, camera.metres_per_px * frame.where.width,
+                     camera.up_rad, frame.where.width / frame.where.height};
+  if (page.shows(mean.translation_m())) return std::nullopt;
   const Eigen::Vector2d at = frame.page(mean.translation_m());
-  const PageRect& page = frame.where;
-  const bool is_in_sight = at.x() >= page.left && at.x() <= page.right() && at.y() >= page.bottom &&
-                           at.y() <= page.top();
-  if (is_in_sight) return std::nullopt;
   const Eigen::Vector2d way = at - free.centre();
   if (!(way.norm() > 0.0) || !way.allFinite()) return std::nullopt;
   const Eigen::Vector2d along = way.normalized();

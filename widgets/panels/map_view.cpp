@@ -27,7 +27,7 @@ Actions draw_map_view(kit::Ui& ui, const MapViewModel& model, MapViewState& stat
   for (const MapRun& run : model.runs) documents.push_back(run.document);
   state.paths.keep_only(documents);
   const bool has_something =
-      model.map || !model.apart.empty() ||
+      model.labels != nullptr || model.map || !model.apart.empty() ||
       std::any_of(documents.begin(), documents.end(), [](const auto& d) { return d != nullptr; });
   if (!has_something) {
     if (model.work) return draw_work_card(ui, *model.work, ui.room());
@@ -47,7 +47,7 @@ Actions draw_map_view(kit::Ui& ui, const MapViewModel& model, MapViewState& stat
   const kit::Rect room = ui.room();
   std::vector<int> all;
   for (const MapRun& run : model.runs) all.push_back(run.number);
-  if (model.look.is_split && all.size() >= 2) {
+  if (model.look.is_split && all.size() >= 2 && model.labels == nullptr) {
     const double half = std::floor((room.width - ui.px(2.0)) / 2.0);
     const Eigen::Vector2d size(half, room.height);
     asked = MapPaneView(ui, model, state, {"Ground", {all.back()}, size, true, true}).draw();
@@ -63,9 +63,9 @@ Actions draw_map_view(kit::Ui& ui, const MapViewModel& model, MapViewState& stat
     join(draw_vehicle_plate(ui, *state.away, page));
   }
   join(draw_map_cards(ui, model, room));
-  join(draw_map_note(ui, map_note(model), room));
+  if (model.labels == nullptr) join(draw_map_note(ui, map_note(model), room));
   if (model.work) join(draw_work_card(ui, *model.work, room));
-  if (model.takes_keys && ui.is_pressed("Escape")) {
+  if (model.takes_keys && model.labels == nullptr && ui.is_pressed("Escape")) {
     if (auto wish = escape_wish(model)) asked.push_back(std::move(*wish));
   }
   return asked;

@@ -12,9 +12,11 @@
 #include "core/session/action.h"
 #include "core/session/session.h"
 #include "widgets/kit/ui.h"
+#include "widgets/panels/label_gestures.h"
 #include "widgets/panels/map_geometry.h"
 #include "widgets/panels/map_trails.h"
 #include "widgets/panels/surface_picture.h"
+#include "widgets/views/legend.h"
 
 namespace nadir {
 
@@ -53,6 +55,8 @@ struct MapViewModel {
   bool is_map_foreign = false;             ///< The map that is open is not that of the active run.
   std::optional<CostRange> surface_costs;  ///< Of the error surface that lies on the ground now.
   std::optional<int> selected_particle;
+  /// Labels that are drawn, instead of runs; null: runs are shown. Stays until the next action.
+  const LabelDesk* labels = nullptr;
   bool takes_keys = true;  ///< False: something lies over the window, and Escape is for that.
 };
 [[nodiscard]] MapViewModel map_view_model(const Session& session);
@@ -69,6 +73,8 @@ struct MapGround {
       part_count = 1;     ///< Others are asked for in the same frame, where lines lie between them.
   bool is_lowest = true;  ///< Nothing lies below it but the window; else it lets lines through.
   bool is_second = false;  ///< Of the second map of a split view.
+  bool is_of_labels =
+      false;  ///< Picture, labels and borders of what is labelled; layers are not asked for.
 };
 
 /// How much of a legend has room on a map, kept as long as what it was made for: words are dear to measure.
@@ -77,6 +83,7 @@ struct LegendFit {
   double map_width = 0.0, map_height = 0.0, px_per_pt = 0.0;
   std::size_t count = 0;  ///< Of the entries that are shown; a last one counts the others.
   double width = 0.0, height = 0.0;
+  LegendLayout layout;  ///< Of what is shown.
 };
 
 /// Where the vehicle (the active run's estimate at the cursor) is when it is out of sight.
@@ -106,8 +113,10 @@ struct MapViewState {
   MapRoom room;      ///< What controls leave of it.
   double legend_height_px = 0.0;  ///< Of the map's lower end, as much as legends cover.
 
+  LabelDragState label_drag;  ///< What a drag over labels holds.
   RunPathsCache paths;
   LegendFit legend, second_legend;  ///< Of the only or first map, and of the second.
+  LegendFit lasting_legend;         ///< Of the first: lasting_map_legend(), for the room below.
   SeenClasses seen_classes;         ///< Of the active run.
   std::optional<VehicleAway> away;  ///< In this frame, on the only or first map.
   std::string grabbing_pane;        ///< Map whose ground a drag holds; empty: none.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "core/desk/label_desk.h"
+#include "core/session/label_view.h"
 #include "core/session/shared_ground.h"
 #include "widgets/panels/map_view.h"
+#include "widgets/panels/panel_text.h"
 
 namespace nadir {
 namespace {
@@ -61,6 +64,13 @@ std::optional<ProjectPlane> plane_of(const Session& session) {
 MapViewModel map_view_model(const Session& session) {
   MapViewModel model;
   model.look = session.resolved_map_look();
+  if (session.label_view().workspace == Workspace::kLabel) {
+    model.labels = session.label_desk();
+    model.takes_keys = session.overlay() == Overlay::kNone;
+    if (model.labels == nullptr) model.reading = name_of(session.label_view().path);
+    if (model.labels != nullptr) model.plane = model.labels->sheet().now().plane();
+    return model;
+  }
   for (std::size_t i = 0; i < session.runs().size(); ++i) {
     const bool is_active = static_cast<int>(i) + 1 == session.view().active_run;
     if (is_active || session.view().runs[i].is_shown) model.runs.push_back(map_run(session, i));

@@ -15,7 +15,8 @@ namespace nadir {
 namespace {
 
 constexpr double kPaletteButtonWidth = 104.0, kBarMargin = 8.0, kLineHeight = 28.0;
-constexpr std::array<const char*, 6> kMenus = {"File", "Edit", "View", "Go", "Run", "Help"};
+constexpr std::array<const char*, 7> kMenus = {"File", "Edit",  "View", "Go",
+                                               "Run",  "Label", "Help"};
 
 void append_to(Actions& all, Actions more) {
   for (Action& action : more) all.push_back(std::move(action));
@@ -26,20 +27,26 @@ struct CommandGroup {
   std::string_view name;
   const char* title;
 };
-constexpr std::array<CommandGroup, 9> kGroups = {{{"layer", "Layers"},
-                                                  {"panel", "Panels"},
-                                                  {"strip", "Strips of the timeline"},
-                                                  {"layout", "Layouts"},
-                                                  {"speed", "Speed"},
-                                                  {"lay-at", "Topview"},
-                                                  {"tool", "Tool"},
-                                                  {"scale", "Interface scale"},
-                                                  {"theme", "Theme"}}};
+constexpr std::array<CommandGroup, 12> kGroups = {{{"layer", "Layers"},
+                                                   {"panel", "Panels"},
+                                                   {"strip", "Strips of the timeline"},
+                                                   {"layout", "Layouts"},
+                                                   {"speed", "Speed"},
+                                                   {"lay-at", "Topview"},
+                                                   {"tool", "Tool"},
+                                                   {"scale", "Interface scale"},
+                                                   {"theme", "Theme"},
+                                                   {"label-option tool", "Tools"},
+                                                   {"label-option class", "Classes"},
+                                                   {"export-labels", "Export"}}};
 constexpr std::size_t kLeastOfGroup = 3;
 
 /// "layout" of "save-layout" too.
 [[nodiscard]] std::string_view group_name_of(const Command& command) {
-  const std::string_view name = command.text.substr(0, command.text.find(' '));
+  const std::size_t blank = command.text.find(' ');
+  const std::string_view name = command.text.substr(0, blank);
+  if (name == "label-option") return command.text.substr(0, command.text.find(' ', blank + 1));
+  if (command.menu == kLabelMenu) return name;
   constexpr std::string_view kSave = "save-";
   return name.substr(0, kSave.size()) == kSave ? name.substr(kSave.size()) : name;
 }

@@ -84,6 +84,17 @@ constexpr double kMoreLine = 52.0;  ///< Height of the line that counts them; of
   return more;
 }
 
+/// Where the line that counts them has no room, the only one that is shown says before its own words how many there are, and
+/// whether errors are among those that it hides: "Newest of 9, 2 errors hidden".
+[[nodiscard]] std::string words_of_count(const std::vector<Notice>& all) {
+  const auto errors = std::count_if(all.begin(), all.end() - 1, [](const Notice& notice) {
+    return notice.kind == Notice::Kind::kError;
+  });
+  std::string words = fmt::format("Newest of {}", all.size());
+  if (errors > 0) words += fmt::format(", {} {} hidden", errors, errors == 1 ? "error" : "errors");
+  return words;
+}
+
 }  // namespace
 
 NoticesModel notices_model(const Session& session) {
@@ -101,17 +112,17 @@ Actions draw_notices(kit::Ui& ui,
       state.shows_all ? with_room : std::min(with_room, NoticesModel::kMostShown);
   const auto first = model.all.end() - static_cast<std::ptrdiff_t>(count);
   std::vector<kit::Notice> shown;
+  auto more = line_of_more(model.all, with_room, count, state.shows_all);
   const bool is_low =
-      count == 1 && height_of_notice(ui, model.all.back(), inside.width) + ui.px(12.0 + kMoreLine) >
-                        inside.height;
-  if (auto more = line_of_more(model.all, with_room, count, state.shows_all); more && !is_low) {
-    shown.push_back(std::move(*more));
-  }
+      more && count == 1 &&
+      height_of_notice(ui, model.all.back(), inside.width) + ui.px(12.0 + kMoreLine) >
+          inside.height;
+  if (more && !is_low) shown.push_back(std::move(*more));
   for (auto notice = first; notice != model.all.end(); ++notice) {
     kit::Notice one;
     one.id = std::to_string(notice->number);
     one.level = level_of(notice->kind);
-    one.text = notice->text;
+    one.text = is_low ? words_of_count(model.all) + ": " + notice->text : notice->text;
     one.details = notice->details;
     if (notice->remedy) one.action = notice->remedy_title;
     shown.push_back(std::move(one));

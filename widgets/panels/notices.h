@@ -21,7 +21,8 @@ struct NoticesState {
 
 [[nodiscard]] NoticesModel notices_model(const Session& session);
 
-/// The newest; those that there is no room for are counted in a line above them: "Notices/more", "Notices/more/Show all".
+/// The newest; those that there is no room for are counted in a line above them: "Notices/more", "Notices/more/Show all". Where
+/// even that line has no room, the newest one counts them.
 /// @param inside  Part of the window in whose lower right corner they stand.
 [[nodiscard]] Actions draw_notices(kit::Ui& ui,
                                    const NoticesModel& model,

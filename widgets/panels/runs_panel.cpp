@@ -33,6 +33,7 @@ void compare_again(const RunsModel& model, RunsState& state) {
   }
   if (documents == state.compared && numbers == state.numbers) return;
   state.comparison = compare_runs(documents);
+  ++state.revision;
   state.numbers = std::move(numbers);
   state.compared = std::move(documents);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "core/session/action.h"
 #include "core/session/run_comparison.h"
 #include "widgets/kit/ui.h"
+#include "widgets/panels/run_table_texts.h"
 
 namespace nadir {
 
@@ -42,6 +44,8 @@ struct RunsState {
   std::vector<int> numbers;  ///< Of the runs that are compared, the active one first.
   std::vector<std::shared_ptr<const RunDocument>> compared;
   RunComparison comparison;
+  std::uint64_t revision = 0;  ///< Of the comparison: counts those that were made.
+  RunTableTexts texts;         ///< What its tables say.
 };
 
 /// Paths, for the second run: "Runs/2/##activate", "Runs/2/shown", "Runs/2/Close", "Runs/2/localising/Cancel"; "Runs/Split view";

@@ -8,6 +8,7 @@ namespace nadir {
 
 const Command* command_of(const kit::Chord& chord) {
   for (const Command& command : session_commands()) {
+    if (command.menu == kLabelMenu) continue;
     if (!command.shortcut.empty() && kit::parse_chord(command.shortcut) == chord) return &command;
   }
   return nullptr;
@@ -20,13 +21,18 @@ bool repeats_while_held(const Command& command) {
   return std::find(kRepeating.begin(), kRepeating.end(), name) != kRepeating.end();
 }
 
-const Command* pressed_command(const kit::Ui& ui, bool is_overlay_open) {
+const Command* pressed_command(const kit::Ui& ui, bool is_overlay_open, bool draws_labels) {
+  const Command* other = nullptr;
   for (const Command& command : session_commands()) {
     if (command.shortcut.empty()) continue;
     if (is_overlay_open && command.text.substr(0, 5) != "show ") continue;
-    if (ui.is_pressed(command.shortcut, repeats_while_held(command))) return &command;
+    const bool is_on_labels = command.menu == kLabelMenu;
+    if (is_on_labels && !draws_labels) continue;
+    if (!ui.is_pressed(command.shortcut, repeats_while_held(command))) continue;
+    if (is_on_labels || !draws_labels) return &command;
+    if (other == nullptr) other = &command;
   }
-  return nullptr;
+  return other;
 }
 
 }  // namespace nadir

@@ -6,7 +6,7 @@
 
 namespace nadir {
 
-/// The command that a chord means; null where it means none. A chord means the same everywhere.
+/// The command that a chord means; null where it means none. Commands on labels, which have keys of their own, are left out.
 [[nodiscard]] const Command* command_of(const kit::Chord& chord);
 
 /// Whether a key that is held down does the command again and again: steps, zoom, undo.
@@ -14,6 +14,9 @@ namespace nadir {
 
 /// The command whose keys went down in this frame; null for none. Not while a text is typed, but for chords that no text
 /// takes; what lies over the window leaves only chords that show or close something.
-[[nodiscard]] const Command* pressed_command(const kit::Ui& ui, bool is_overlay_open);
+/// @param draws_labels  Then commands on labels come first; else their keys mean nothing.
+[[nodiscard]] const Command* pressed_command(const kit::Ui& ui,
+                                             bool is_overlay_open,
+                                             bool draws_labels = false);
 
 }  // namespace nadir

@@ -219,7 +219,7 @@ void draw_ruler(TimelineFrame& frame, const kit::AreaInput& area) {
   const bool is_in_lane = area.mouse.y() <= frame.ui.px(kMarkLane);
   const auto mark = mouse_px && is_in_lane ? mark_at(frame, *mouse_px) : std::nullopt;
   if (mark && area.pressed == kit::MouseButton::kLeft && !area.modifiers.shift) {
-    frame.actions.push_back(actions::Seek{mark->time_s});
+    frame.actions.push_back(actions::GoToMoment{mark->time_s});
     frame.state.is_scrubbing = true;  // a drag goes on from there
     return;
   }

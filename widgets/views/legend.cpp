@@ -7,37 +7,14 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "core/base/require.h"
+
 namespace nadir {
 namespace {
 
 constexpr double kSamplePt = 16.0;
 constexpr double kRowPt = 13.0;
 constexpr double kBetweenPt = 12.0;  ///< One entry and the next.
-
-struct Place {
-  double left = 0.0, top = 0.0;  ///< Offsets from the upper left corner, pixels.
-};
-
-/// Where each entry goes, and the height of all.
-std::pair<std::vector<Place>, double> lay_out(double width_px,
-                                              std::span<const LegendEntry> entries,
-                                              double px) {
-  TextStyle style;
-  style.size_px = kLegendTextPt * px;
-  std::vector<Place> places;
-  double left = 0.0;
-  double top = 0.0;
-  for (const LegendEntry& entry : entries) {
-    const double width = (kSamplePt + 4.0) * px + measure_text(entry.name, style).width;
-    if (left > 0.0 && left + width > width_px) {
-      left = 0.0;
-      top += kRowPt * px;
-    }
-    places.push_back({left, top});
-    left += width + kBetweenPt * px;
-  }
-  return {places, entries.empty() ? 0.0 : top + kRowPt * px};
-}
 
 void fill_rect(
     Canvas& canvas, double left, double bottom, double width, double height, Rgba colour) {
@@ -197,29 +174,57 @@ LegendEntry legible_entry(LegendEntry entry, const Theme& theme) {
   return entry;
 }
 
+LegendLayout legend_layout(double width_px,
+                           std::span<const LegendEntry> entries,
+                           double px_per_pt) {
+  LegendLayout layout;
+  if (entries.empty()) return layout;
+  TextStyle style;
+  style.size_px = kLegendTextPt * px_per_pt;
+  layout.cap_height_px = measure_text("0", style).cap_height;
+  double left = 0.0, down = 0.0;
+  layout.places.reserve(entries.size());
+  for (const LegendEntry& entry : entries) {
+    const double width = (kSamplePt + 4.0) * px_per_pt + measure_text(entry.name, style).width;
+    if (left > 0.0 && left + width > width_px) {
+      left = 0.0;
+      down += kRowPt * px_per_pt;
+    }
+    layout.places.emplace_back(left, down);
+    left += width + kBetweenPt * px_per_pt;
+  }
+  layout.height_px = down + kRowPt * px_per_pt;
+  return layout;
+}
+
+double draw_legend(Canvas& canvas,
+                   const PageRect& where,
+                   std::span<const LegendEntry> entries,
+                   const LegendLayout& layout,
+                   const Theme& theme,
+                   double px_per_pt) {
+  NADIR_REQUIRE(layout.places.size() == entries.size());
+  TextStyle style;
+  style.size_px = kLegendTextPt * px_per_pt;
+  style.colour = theme.text;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const double left = where.left + layout.places[i].x();
+    const double middle = where.top() - layout.places[i].y() - kRowPt / 2.0 * px_per_pt;
+    if (middle - kRowPt / 2.0 * px_per_pt < where.bottom - 0.5) break;
+    draw_sample(canvas, entries[i], left, middle, px_per_pt);
+    canvas.text({left + (kSamplePt + 4.0) * px_per_pt, middle - layout.cap_height_px / 2.0},
+                entries[i].name, style);
+  }
+  return std::min(layout.height_px, where.height);
+}
+
 double draw_legend(Canvas& canvas,
                    const PageRect& where,
                    std::span<const LegendEntry> entries,
                    const Theme& theme,
                    double px_per_pt) {
-  const auto [places, height] = lay_out(where.width, entries, px_per_pt);
-  TextStyle style;
-  style.size_px = kLegendTextPt * px_per_pt;
-  style.colour = theme.text;
-  const double cap_height = measure_text("0", style).cap_height;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const double left = where.left + places[i].left;
-    const double middle = where.top() - places[i].top - kRowPt / 2.0 * px_per_pt;
-    if (middle - kRowPt / 2.0 * px_per_pt < where.bottom - 0.5) break;
-    draw_sample(canvas, entries[i], left, middle, px_per_pt);
-    canvas.text({left + (kSamplePt + 4.0) * px_per_pt, middle - cap_height / 2.0}, entries[i].name,
-                style);
-  }
-  return std::min(height, where.height);
-}
-
-double legend_height(double width_px, std::span<const LegendEntry> entries, double px_per_pt) {
-  return lay_out(width_px, entries, px_per_pt).second;
+  return draw_legend(canvas, where, entries, legend_layout(where.width, entries, px_per_pt), theme,
+                     px_per_pt);
 }
 
 }  // namespace nadir

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "widgets/canvas/canvas.h"
 #include "widgets/views/theme.h"
@@ -38,17 +39,31 @@ struct LegendEntry {
 
 inline constexpr double kLegendTextPt = 8.5;
 
-/// Draws entries in rows from the upper left of `where`, as many in a row as fit.
+/// Where the entries of a legend go: in rows, as many in a row as fit. Words are dear to measure, so whoever draws the same
+/// ones again and again keeps it, for as long as names, width and scale stay.
+struct LegendLayout {
+  std::vector<Eigen::Vector2d>
+      places;  ///< An entry: to the right and down from the upper left corner.
+  double height_px = 0.0;
+  double cap_height_px = 0.0;  ///< Of its text.
+};
+[[nodiscard]] LegendLayout legend_layout(double width_px,
+                                         std::span<const LegendEntry> entries,
+                                         double px_per_pt);
+
+/// Draws entries from the upper left of `where`. @param layout  Of their names, and of the width of `where`.
 /// @returns the height that they took, pixels; nothing is drawn below `where`.
+double draw_legend(Canvas& canvas,
+                   const PageRect& where,
+                   std::span<const LegendEntry> entries,
+                   const LegendLayout& layout,
+                   const Theme& theme,
+                   double px_per_pt);
+/// The same where it is drawn once.
 double draw_legend(Canvas& canvas,
                    const PageRect& where,
                    std::span<const LegendEntry> entries,
                    const Theme& theme,
                    double px_per_pt);
-
-/// The height that draw_legend() would take in a width.
-[[nodiscard]] double legend_height(double width_px,
-                                   std::span<const LegendEntry> entries,
-                                   double px_per_pt);
 
 }  // namespace nadir

@@ -21,7 +21,8 @@ enum class MapLayer {
   kSurface,
   kTopview,
   kAgreement,
-  kParticles
+  kParticles,
+  kLabelBorders  ///< Of an editor.
 };
 
 /// How a map is looked at: the rectangle of pixels that the camera fills, and how large a point of 1/72 inch is on it.

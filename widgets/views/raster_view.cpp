@@ -9,6 +9,7 @@
 #include <vtkProperty.h>
 
 #include <array>
+#include <cstring>
 
 #include "core/base/require.h"
 #include "widgets/canvas/vtk_image.h"
@@ -57,6 +58,20 @@ void RasterView::show(const Raster<Rgba>& pixels,
   }
   texture_->SetInputData(vtk_image_of(pixels));
   place(enu_from_corner, metres_per_pixel);
+}
+
+void RasterView::change(const Raster<Rgba>& part, int left, int top) {
+  NADIR_REQUIRE(texture_ != nullptr && left >= 0 && top >= 0 &&
+                left + part.width() <= size_px_.x() && top + part.height() <= size_px_.y());
+  vtkImageData* const image = texture_->GetInput();
+  const int height = image_size(*image)[1];
+  for (int row = 0; row < part.height(); ++row) {
+    const auto line = part.row(row);
+    std::memcpy(image->GetScalarPointer(left, height - 1 - (top + row), 0), line.data(),
+                line.size_bytes());
+  }
+  image->Modified();
+  texture_->Modified();  // so that whoever compares stamps knows it
 }
 
 void RasterView::show_part_of(const RasterView& whole, const Eigen::AlignedBox2d& part) {

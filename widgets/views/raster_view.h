@@ -34,6 +34,9 @@ class RasterView {
             const Eigen::Vector2d& metres_per_pixel,
             bool is_smooth,
             bool is_for_far_away = true);
+  /// Replaces some pixels of what show() was given, also where a cut-out of them is shown; the texture follows when it is drawn.
+  /// @param left, top  Of the part in the picture, which holds all of it.
+  void change(const Raster<Rgba>& part, int left, int top);
   /// Shows a cut-out of what another view shows, where that one shows it, without a copy of its pixels.
   /// @param part  x to the right and y down from the picture's upper left corner, in shares of its sides.
   void show_part_of(const RasterView& whole, const Eigen::AlignedBox2d& part);

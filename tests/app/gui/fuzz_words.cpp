@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "core/desk/label_tool.h"
 #include "core/run/run_options.h"
 
 namespace nadir {
@@ -35,6 +36,20 @@ const std::map<std::string_view, Words>& sensible_words() {
       {"NOTICE", {"1", "2", "5", "12"}},
       {"JOB", {"1", "2", "3", "9"}},
       {"FIGURE", {"moment", "flight", "cdf", "labels", "error-surface", "no-such-figure"}},
+      {"CLASS", {"road", "curb", "building", "terrain", "lane marking", "unclassified", "nothing"}},
+      {"NEW-CLASS", {"road", "sidewalk", "unclassified"}},
+      {"EAST,NORTH...", {"20,20", "30,20", "30,30.5", "20,30", "25.25,28", "45,21", "-300,900"}},
+      {"OBJECT...", {"1", "2", "3", "7"}},
+      {"OBJECT", {"1", "2", "3", "5"}},
+      {"RING", {"0", "0", "1"}},
+      {"CORNER", {"0", "1", "2", "3"}},
+      {"REACH", {"0", "0.5", "2"}},
+      {"WEST", {"0", "20", "28"}},
+      {"SOUTH", {"0", "15", "28"}},
+      {"WIDTH", {"0.2", "3.5", "12"}},
+      {"THICKNESS", {"0.3", "1"}},
+      {"RADIUS", {"0.25", "1.5", "6"}},
+      {"PROFILE", {"residential street", "main road", "no-such-street"}},
       {"VALUE", {"1", "300", "0.5", "true", "off", "0", "-2", "1e-9", "systematic"}},
   };
   return words;
@@ -88,6 +103,7 @@ Words names_of() {
 FuzzWords::FuzzWords(std::uint64_t seed, std::vector<std::string> paths)
     : random_(seed), paths_(std::move(paths)) {
   for (const OptionText& option : option_texts(RunOptions{})) options_.push_back(option.name);
+  for (const OptionText& option : option_texts(LabelTool{})) tool_options_.push_back(option.name);
 }
 
 std::size_t FuzzWords::below(std::size_t count) {
@@ -121,7 +137,11 @@ std::string FuzzWords::action_of(const ActionHelp& help) {
       takes_group = chance(0.7);
     }
     if (name.back() == ']') name.remove_suffix(1);
-    if (takes_group) line += " " + quoted(argument(help.name, name));
+    const bool takes_many = name.ends_with("...");
+    const std::size_t count = takes_many ? 1 + below(5) : 1;
+    for (std::size_t i = 0; takes_group && i < count; ++i) {
+      line += " " + quoted(argument(help.name, name));
+    }
   }
   if (chance(0.02)) line += " " + quoted(one_of(kNonsense));  // too much
   return line;
@@ -176,6 +196,7 @@ std::string FuzzWords::name_for(std::string_view action) {
   if (action == "layout" || action == "save-layout") return one_of(kLayouts);
   if (action == "preset") return chance(0.3) ? one_of(paths_) : one_of(kPresets);
   if (action == "option") return one_of(options_);
+  if (action == "label-option") return one_of(tool_options_);
   if (action.starts_with("layer")) return one_of(names_of<Layer>());
   if (action.starts_with("panel")) return one_of(names_of<Panel>());
   return one_of(names_of<Strip>());

@@ -43,6 +43,7 @@ class FuzzWords {
   std::mt19937_64 random_;
   std::vector<ActionHelp> helps_ = action_helps();
   std::vector<std::string> paths_, options_;
+  std::vector<std::string> tool_options_;
   int files_ = 0;
   std::string_view last_;  ///< Action.
 };

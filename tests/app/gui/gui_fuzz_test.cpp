@@ -33,6 +33,7 @@ class UserFiles {
       fs::create_directory(path(folder));
     }
     fs::copy(world.map, path("street"), fs::copy_options::recursive);
+    fs::copy(world.map, path("labelled"), fs::copy_options::recursive);
     fs::copy(world.flight, path("flight"), fs::copy_options::recursive);
     fs::copy_file(world.run, path("loop.nadir"));
     fs::copy_file(world.run, path("other.nadir"));
@@ -61,8 +62,8 @@ class UserFiles {
     std::vector<std::string> paths;
     for (const char* const name :
          {"loop.nadir", "loop.nadir", "other.nadir", "other.nadir", "cut.nadir", "damaged.nadir",
-          "empty.nadir", "missing.nadir", "street", "flight", "flight/flight.toml", "notes.txt",
-          "few.toml", "wrong.toml", "home", "work/made-3.toml"}) {
+          "empty.nadir", "missing.nadir", "street", "labelled", "flight", "flight/flight.toml",
+          "notes.txt", "few.toml", "wrong.toml", "home", "work/made-3.toml"}) {
       paths.push_back(path(name).string());
     }
     return paths;
@@ -70,11 +71,16 @@ class UserFiles {
   [[nodiscard]] GuiRequest request() const {
     GuiRequest request;
     request.files = {path("loop.nadir").string()};
-    request.places = {path("config"), path("data"), path("street"),
+    request.places = {path("config"),
+                      path("data"),
+                      path("street"),
+                      {},
+                      "ada",
                       [](const fs::path& figure) -> Result<std::string> {
                         return fail(ErrorCode::kMalformed, "{}: carries no recipe",
                                     figure.string());
                       }};
+    request.places.resources = fs::path(NADIR_SOURCE_DIR) / "resources";
     request.program = path("program");
     request.width = 800;
     request.height = 500;
@@ -152,7 +158,8 @@ class GuiFuzz : public testing::TestWithParam<int> {
   /// a part of all actions, asked for where they must succeed: all rounds together have then done everything.
   static void do_surely(FuzzedWindow& window, const UserFiles& files, int round) {
     const auto all =
-        sure_actions(files.path("loop.nadir").string(), files.path("astray.nadir").string());
+        sure_actions(files.path("loop.nadir").string(), files.path("astray.nadir").string(),
+                     files.path("labelled").string());
     window.act("play off");  // a loop has no end
     ASSERT_TRUE(window.settle(60.0));
     for (std::size_t i = static_cast<std::size_t>(round); i < all.size(); i += kRounds) {
@@ -248,7 +255,7 @@ TEST(GuiGraphics, OpeningAndClosingAgainAndAgainKeepsNothing) {
 TEST(SureActions, AreAllThatThereAre) {
   std::vector<std::string_view> names, sure;
   for (const ActionHelp& help : action_helps()) names.push_back(help.name);
-  for (const SureAction& action : sure_actions("/a.nadir", "/b.nadir")) {
+  for (const SureAction& action : sure_actions("/a.nadir", "/b.nadir", "/map")) {
     sure.push_back(action.name);
     const auto parsed = parse_action(action.then.back());
     ASSERT_TRUE(parsed) << action.name;

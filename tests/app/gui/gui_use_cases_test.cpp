@@ -63,9 +63,10 @@ std::string test_name_of(const testing::TestParamInfo<std::string>& script) {
 INSTANTIATE_TEST_SUITE_P(Scripts, UseCases, testing::ValuesIn(scripts()), test_name_of);
 
 TEST(UseCaseScripts, AreThereForEverythingThatTheWindowIsFor) {
-  EXPECT_THAT(scripts(), testing::IsSupersetOf({"camera-topview-space", "export", "habits",
-                                                "keyboard", "localise-now", "map", "opening",
-                                                "rerun", "side-by-side", "timeline", "why"}));
+  EXPECT_THAT(scripts(),
+              testing::IsSupersetOf({"camera-topview-space", "export", "habits", "keyboard",
+                                     "label", "localise-now", "map", "opening", "rerun",
+                                     "side-by-side", "timeline", "why"}));
 }
 
 }  // namespace gui_use_cases_test

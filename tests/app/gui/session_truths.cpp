@@ -6,6 +6,9 @@
 #include <cmath>
 #include <set>
 
+#include "core/desk/label_desk.h"
+#include "core/label/label_store.h"
+#include "core/session/label_view.h"
 #include "core/session/view_text.h"
 
 namespace nadir {
@@ -59,7 +62,7 @@ std::string fault_of_cursor(const Session& session) {
 
 /// The view, and where its text changes it.
 std::string fault_of_text(const Session& session) {
-  SavedView saved{session.view(), session.playback()};
+  SavedView saved{session.view(), session.playback(), session.label_view()};
   saved.playback.is_playing = false;
   const std::string text = view_text(saved);
   const auto again = parse_view_text(text, "its text");
@@ -67,6 +70,7 @@ std::string fault_of_text(const Session& session) {
   if (!(again->view == saved.view)) {
     return "its text is another view:\n" + text + "\nand that one's text:\n" + view_text(*again);
   }
+  if (!(again->label == saved.label)) return "its text labels something else:\n" + text;
   if (!(again->playback == saved.playback)) return "its text is another playback:\n" + text;
   if (!(repaired(saved.view) == saved.view)) return "the view needs to be repaired:\n" + text;
   return "";
@@ -79,6 +83,23 @@ std::string fault_of_log(const Session& session) {
   if (!action) return fmt::format("the log says '{}': {}", line, action.error().message);
   if (action_text(*action) == line) return "";
   return fmt::format("the log says '{}' and means '{}'", line, action_text(*action));
+}
+
+/// Whether what is drawn on is what lies on the disk.
+std::string fault_of_labels(const Session& session) {
+  const LabelView& view = session.label_view();
+  if (view.workspace == Workspace::kLabel && view.path.empty()) return "nothing is labelled";
+  const LabelDesk* const desk = session.label_desk();
+  if (desk == nullptr) return "";
+  if (!(desk->tool() == view.tool)) return "the tool is another one than the view's";
+  for (const ObjectId id : desk->selection().ids()) {
+    if (desk->sheet().now().object(id) == nullptr)
+      return fmt::format("{} is selected and gone", id);
+  }
+  if (!desk->sheet().is_on_disk()) return "";
+  const auto store = LabelStore::open(desk->sheet().path(), "a reader", LabelAccess::kRead);
+  if (!store) return "the labels cannot be read again: " + store.error().message;
+  return store->document() == desk->sheet().now() ? "" : "labels and their file differ";
 }
 
 /// What of a session undo goes through.
@@ -100,7 +121,8 @@ Undoable undoable(const Session& session) {
 }  // namespace
 
 std::string fault_of(const Session& session) {
-  for (const auto& check : {fault_of_runs, fault_of_cursor, fault_of_text, fault_of_log}) {
+  for (const auto& check :
+       {fault_of_runs, fault_of_cursor, fault_of_text, fault_of_log, fault_of_labels}) {
     if (std::string fault = check(session); !fault.empty()) return fault;
   }
   return "";
@@ -109,6 +131,10 @@ std::string fault_of(const Session& session) {
 std::string fault_of_undo(Session& session) {
   const auto title = session.undo_title();
   if (!title) return "";
+  // Places of a tool go one by one, by other words.
+  const LabelDesk* const desk = session.label_desk();
+  const bool draws_labels = session.label_view().workspace == Workspace::kLabel;
+  if (draws_labels && desk != nullptr && !desk->points().empty()) return "";
   const Undoable before = undoable(session);
   if (const auto undone = session.apply(actions::Undo{}); !undone) {
     return session.view() == before.view ? "" : "undo failed and changed the view";

@@ -5,7 +5,9 @@
 
 namespace nadir {
 
-std::vector<SureAction> sure_actions(const std::string& run, const std::string& astray) {
+std::vector<SureAction> sure_actions(const std::string& run,
+                                     const std::string& astray,
+                                     const std::string& map) {
   using Lines = std::vector<std::string>;
   const Lines a_run = {"open " + run, "play off", "loop"};
   Lines two_runs = {"open " + astray};
@@ -15,6 +17,15 @@ std::vector<SureAction> sure_actions(const std::string& run, const std::string& 
     return lines;
   };
   const Lines a_change = {"theme dark", "theme light"};
+  // Drawn on what is clear, from the beginning of the labels' history.
+  const Lines labels = {"label " + map, "label-option tool select", "label-step 0",
+                        "label-option snap false"};
+  const std::string square = "draw-area building 20,20 30,20 30,30 20,30";
+  const Lines an_area = after(labels, {square});
+  const Lines a_begun_one =
+      after(labels, {"label-option tool area", "point 20 20", "point 30 20", "point 30 30"});
+  const Lines two_areas =
+      after(an_area, {"draw-area building 28,20 40,20 40,30 28,30", "labels select-all"});
   return {
       {"open", {}, {"open " + run}},
       {"open-demo", {}, {"open-demo"}},
@@ -75,6 +86,51 @@ std::vector<SureAction> sure_actions(const std::string& run, const std::string& 
       {"bookmark", a_run, {"bookmark here"}},
       {"bookmark-note", after(a_run, {"bookmark here"}), {"bookmark-note 1 there"}},
       {"bookmark-remove", after(a_run, {"bookmark here"}), {"bookmark-remove 1"}},
+      {"label", {}, {"label " + map}},
+      {"close-labels", labels, {"close-labels"}},
+      {"workspace", labels, {"workspace replay"}},
+      {"label-tab", labels, {"label-tab history"}},
+      {"borders", labels, {"borders on"}},
+      {"label-opacity", labels, {"label-opacity labels 0.5"}},
+      {"label-option", labels, {"label-option class curb"}},
+      {"last-class", labels, {"last-class"}},
+      {"point", labels, {"point 25 25"}},
+      {"trace",
+       after(an_area, {"label-option tool area", "label-option snap true", "point 20 20 0.5"}),
+       {"trace 30 30 0.5 near"}},
+      {"leg", labels, {"leg length 5"}},
+      {"finish", a_begun_one, {"finish"}},
+      {"cancel-tool", a_begun_one, {"cancel-tool"}},
+      {"select-labels", labels, {"select-labels"}},
+      {"select-box", an_area, {"select-box 15 15 35 35"}},
+      {"label-step", an_area, {"label-step 0"}},
+      {"export-labels", an_area, {"export-labels geojson sure-labels.geojson"}},
+      {"import-labels",
+       after(an_area, {"export-labels geojson sure-import.geojson"}),
+       {"import-labels sure-import.geojson"}},
+      {"save-labels-copy", an_area, {"save-labels-copy sure-copy.gpkg"}},
+      {"draw-area", labels, {square}},
+      {"draw-line", labels, {"draw-line curb 0.5 20,20 30,20"}},
+      {"draw-outline", labels, {"draw-outline building 0.3 20,20 30,20 30,30"}},
+      {"draw-street", labels, {"draw-street \"residential street\" 10,25 40,25"}},
+      {"cut-hole", an_area, {"cut-hole 0 22,22 24,22 24,24"}},
+      {"stroke", labels, {"stroke curb 1 20,20 30,20"}},
+      {"fill", labels, {"fill sidewalk 25 25"}},
+      {"recode", an_area, {"recode building fence"}},
+      {"move-vertex", an_area, {"move-vertex 0 0 0 19 19"}},
+      {"add-vertex", an_area, {"add-vertex 0 0 0 25 19"}},
+      {"move-labels", an_area, {"move-labels 1 1"}},
+      {"duplicate-labels", an_area, {"duplicate-labels 12 0"}},
+      {"copy-beside", an_area, {"copy-beside 1"}},
+      {"labels", two_areas, {"labels merge"}},
+      {"set-label", an_area, {"set-label note here"}},
+      {"join-borders", two_areas, {"join-borders 0.1"}},
+      {"split-labels", an_area, {"split-labels 25,10 25,40"}},
+      {"paste-labels",
+       labels,
+       {R"(paste-labels {"type":"FeatureCollection","frame":"enu","features":[{"type":"Feature","properties":)"
+        R"({"kind":"area","class":"road","width_m":0,"note":""},"geometry":{"type":"Polygon","coordinates":)"
+        R"([[[20,20],[30,20],[30,30]]]}}]})"}},
       {"dismiss", {}, {"dismiss"}},
       {"undo", a_change, {"undo"}},
       {"redo", after(a_change, {"undo"}), {"redo"}},

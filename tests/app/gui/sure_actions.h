@@ -17,8 +17,10 @@ struct SureAction {
 
 /// All actions, in the order of the variant.
 /// @param run    A run with its flight and its map.
+/// @param map    A map package of its own, to be labelled.
 /// @param astray One of the same flight that parts from it.
 [[nodiscard]] std::vector<SureAction> sure_actions(const std::string& run,
-                                                   const std::string& astray);
+                                                   const std::string& astray,
+                                                   const std::string& map);
 
 }  // namespace nadir

@@ -365,6 +365,48 @@ TEST(WriteTextFile, AFullDiskIsAFaultThatLeavesTheOldFile) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
+std::vector<StagedOutput> begun(const ScratchFolder& folder, std::vector<std::string> names) {
+  std::vector<StagedOutput> files;
+  for (const std::string& name : names) {
+    files.push_back(StagedOutput::file(folder.path() / name).value());
+    std::ofstream(files.back().path()) << "new " << name;
+  }
+  return files;
+}
+
+TEST(StagedOutput, FilesThatBelongTogetherGetTheirNamesTogether) {
+  const ScratchFolder folder;
+  folder.file("b", "old b");
+  {
+    auto files = begun(folder, {"a", "b", "c"});
+    ASSERT_TRUE(StagedOutput::commit_all(files));
+  }
+  EXPECT_EQ(read(folder.path() / "a"), "new a");
+  EXPECT_EQ(read(folder.path() / "b"), "new b");
+  EXPECT_EQ(read(folder.path() / "c"), "new c");
+  EXPECT_EQ(folder.entries(), 3);
+}
+
+TEST(StagedOutput, WhereOneOfThemFailsAllAreAsTheyWere) {
+  const ScratchFolder folder;
+  folder.file("b", "old b");
+  {
+    auto files = begun(folder, {"a", "b", "c"});
+    std::filesystem::create_directory(folder.path() / "c");
+    EXPECT_THAT(error_text(StagedOutput::commit_all(files)), HasSubstr("c: is a folder"));
+  }
+  EXPECT_EQ(read(folder.path() / "b"), "old b");
+  EXPECT_EQ(folder.entries(), 2) << "b, and the folder that somebody has put there";
+  std::filesystem::remove(folder.path() / "c");
+  {
+    // One of which nothing is left once the first has its name: the first two go back.
+    auto files = begun(folder, {"a", "b", "a"});
+    EXPECT_EQ(error_code(StagedOutput::commit_all(files)), ErrorCode::kIo);
+  }
+  EXPECT_EQ(read(folder.path() / "b"), "old b");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
 TEST(ReadTextFile, GivesEveryByte) {
   const ScratchFolder folder;
   std::string bytes(200'000, '\0');

@@ -48,7 +48,7 @@ class RandomHand {
   Eigen::Vector2d place() { return {random(-5.0, 125.0), random(-95.0, 5.0)}; }
   Result<void> take_up() {
     LabelTool tool = desk_.tool();
-    tool.kind = static_cast<ToolKind>(choice(15));
+    tool.kind = static_cast<ToolKind>(choice(static_cast<int>(EnumNames<ToolKind>::kNames.size())));
     use_class(tool, std::array<ClassId, 4>{kRoad, kBuilding, kCurb, kUnclassified}.at(
                         static_cast<std::size_t>(choice(4))));
     tool.shares_borders = choice(2) == 0;

@@ -37,6 +37,24 @@ TEST(LabelDeskOpen, LookingAtAPackageWritesNothing) {
   EXPECT_FALSE(fs::exists(package / "labels.gpkg"));
 }
 
+TEST(LabelDeskOpen, TheWayToAStepShowsWhatWasWithoutGoingThere) {
+  const ScratchFolder scratch;
+  LabelDesk desk = opened_desk(half_a_road(scratch.path()));
+  const LabelSheet& sheet = desk.sheet();
+  EXPECT_TRUE(sheet.way(sheet.now(), 0, 0)->empty()) << "there is no file yet";
+  EXPECT_FALSE(sheet.way(sheet.now(), 0, 1));
+  const LabelDocument first = sheet.now();
+  ASSERT_THAT(desk.stroke({{250.5, -50.5}}, 3.0, kTerrain), Succeeds());
+  const LabelDocument second = sheet.now();
+  const auto way = sheet.way(second, 2, 1);
+  ASSERT_TRUE(way) << error_text(way);
+  LabelDocument shown = second;
+  for (const LabelEdit& edit : *way) shown.apply(edit);
+  EXPECT_TRUE(shown == first);
+  EXPECT_EQ(sheet.step(), 2);
+  EXPECT_TRUE(sheet.now() == second);
+}
+
 TEST(LabelDeskOpen, TheFirstEditMakesTheFileAndTakesTheLabelsOver) {
   const ScratchFolder scratch;
   const fs::path package = half_a_road(scratch.path());
@@ -96,6 +114,25 @@ TEST(LabelDeskOpen, AnImageGetsItsLabelsBesideItOnItsOwnCells) {
   ASSERT_THAT(desk.draw({ObjectKind::kArea, kRoad, 0.0}, box(10, 10, 20, 20)), Succeeds());
   EXPECT_THAT(titles(desk), ElementsAre(HasSubstr("road")));
   EXPECT_TRUE(fs::exists(scratch.path() / "from above.labels.gpkg"));
+}
+
+TEST(LabelDeskOpen, LabelsNamedAloneFindTheImageBesideThem) {
+  const ScratchFolder scratch;
+  const fs::path package = half_a_road(scratch.path(), true);
+  const fs::path labels = scratch.path() / "from.above.labels.gpkg";
+  const fs::path plain = scratch.path() / "from.above.gpkg";
+  for (const fs::path& path : {labels, plain}) {
+    ASSERT_TRUE(LabelStore::create(path, test_plane(), test_grid(300, 200), "ada"));
+  }
+  EXPECT_EQ(find_label_place(labels)->image, "");
+  for (const char* const ending : {".mbtiles", ".jpeg", ".JPG", ".png", ".tif"}) {
+    const fs::path image = scratch.file(std::string("from.above") + ending, "");
+    EXPECT_EQ(find_label_place(labels)->image, image) << "before those of lesser formats";
+  }
+  EXPECT_EQ(find_label_place(plain)->image, "") << "is the document of nothing";
+  fs::copy_file(package / "image.tif", scratch.path() / "from.above.tif",
+                fs::copy_options::overwrite_existing);
+  EXPECT_EQ(opened_desk(labels).sheet().image(), scratch.path() / "from.above.tif");
 }
 
 TEST(LabelDeskOpen, AnImageInAnotherReferenceSystemLiesOnAPlaneOfItsOwn) {

@@ -125,6 +125,7 @@ TEST_F(SelectionAtWork, CommandsAreOneStepEachAndUndoGivesBackWhatWas) {
   ASSERT_THAT(desk.draw({ObjectKind::kLine, kCurb, 0.5}, ring({{30, 30}, {50, 31}, {70, 30}})),
               Succeeds());
   const ObjectId two = desk.selection().ids().front();
+  drawn_box(40, 40, 60, 60, kBuilding);
   const std::vector<ObjectId> both{one, two};
   const std::vector<std::function<Result<void>()>> commands{
       [&] {
@@ -199,6 +200,44 @@ TEST_F(SelectionAtWork, CornersThatAreSharedMoveTogether) {
   EXPECT_EQ(count({31.0, -7.0}), 1);
   ASSERT_THAT(desk.undo(), Succeeds());
   EXPECT_THAT(desk.picked(), IsEmpty());
+}
+
+TEST_F(SelectionAtWork, PickedCornersNeverMakeAnAreaCrossItself) {
+  const ObjectId object = drawn_box(10, 10, 30, 30);
+  desk.pick_at({10.0, -10.0}, 0.5, SelectHow::kInstead);
+  desk.pick_at({30.0, -30.0}, 0.5, SelectHow::kAdd);
+  ASSERT_THAT(desk.picked(), SizeIs(2));
+  const LabelDocument before = now();
+  EXPECT_THAT(error_text(desk.move_picked({0.0, -22.0})),
+              HasSubstr("area 1 would cross itself at 10.91 E, -31.00 N"));
+  EXPECT_TRUE(now() == before);
+  EXPECT_THAT(desk.picked(), SizeIs(2));
+  EXPECT_THAT(desk.coming_picked({0.0, -22.0}), IsEmpty());
+  const auto coming = desk.coming_picked({5.0, 0.0});
+  ASSERT_THAT(coming, SizeIs(1));
+  ASSERT_THAT(desk.move_picked({5.0, 0.0}), Succeeds());
+  EXPECT_EQ(now().object(object)->rings, coming[0].rings);
+  EXPECT_EQ(desk.picked()[0].in_enu_m.x(), 15.0);
+}
+
+TEST_F(SelectionAtWork, ABoxOfCornersAddsTakesAwayAndTurnsOver) {
+  const ObjectId object = drawn_box(10, 10, 30, 30);
+  const auto places = [&] {
+    std::vector<std::size_t> numbers;
+    for (const PickedVertex& picked : desk.picked()) {
+      EXPECT_EQ(picked.at.object, object);
+      numbers.push_back(picked.at.place);
+    }
+    return numbers;
+  };
+  desk.pick_within(rectangle_in_cells(5, 5, 15, 35), SelectHow::kInstead);
+  EXPECT_THAT(places(), ElementsAre(0, 3));
+  desk.pick_within(rectangle_in_cells(5, 5, 35, 15), SelectHow::kAdd);
+  EXPECT_THAT(places(), ElementsAre(0, 3, 1));
+  desk.pick_within(rectangle_in_cells(5, 25, 35, 35), SelectHow::kToggle);
+  EXPECT_THAT(places(), ElementsAre(0, 1, 2));
+  desk.pick_within(rectangle_in_cells(5, 5, 15, 35), SelectHow::kRemove);
+  EXPECT_THAT(places(), ElementsAre(1, 2));
 }
 
 TEST_F(SelectionAtWork, PickedCornersAreRemoved) {

@@ -89,9 +89,9 @@ TEST_F(ToolAtWork, LinesAndOutlinesHaveTheToolsWidth) {
 TEST_F(ToolAtWork, AStreetNeedsItsProfile) {
   take_up(ToolKind::kStreet);
   ASSERT_THAT(points({{10, 40}, {100, 40}}), Succeeds());
-  EXPECT_THAT(error_text(desk.finish()), HasSubstr("no street profile \"street\""));
+  EXPECT_THAT(error_text(desk.finish()), HasSubstr("no street profile \"residential street\""));
   EXPECT_EQ(desk.points().size(), 2U);
-  desk.set_profiles({{"street", {{kRoad, 0.0, 6.0, 0.0, 0.0}, {kCurb, 3.5, 1.0, 0.0, 0.0}}}});
+  desk.set_profiles({{"residential street", {{kRoad, 0.0, 6.0, 0.0, 0.0}, {kCurb, 3.5, 1.0, 0.0, 0.0}}}});
   EXPECT_FALSE(desk.coming({110.0, -40.0}, 0.1).empty());
   EXPECT_EQ(object_count(), 0U);
   ASSERT_THAT(desk.finish(), Succeeds());
@@ -250,6 +250,29 @@ TEST_F(ToolAtWork, TracesAlongABorderSoThatItIsShared) {
     EXPECT_THAT(corners, testing::Contains(place));
   }
   EXPECT_THAT(error_text(desk.add_traced({90.0, -80.0}, 0.5, false)), HasSubstr("no border"));
+}
+
+TEST_F(ToolAtWork, TracesFromWhereAPlaceLiesAlsoAfterTheBorderHasChanged) {
+  const ObjectId house = drawn_box(10, 10, 50, 50);
+  const ObjectId beside = drawn_box(50, 10, 80, 50, kTerrain);
+  LabelTool tool = desk.tool();
+  tool.kind = ToolKind::kLine;
+  ASSERT_THAT(desk.set_tool(tool), Succeeds());
+  ASSERT_THAT(desk.add_point({30.0, -50.0}, 0.5), Succeeds());
+  ASSERT_EQ(desk.points().all()[0].snap->kind, SnapKind::kEdge);
+  // Two more places before the edge, whose number changes.
+  ASSERT_THAT(desk.add_vertex({house, 0, 0}, {20.0, -10.0}), Succeeds());
+  ASSERT_THAT(desk.add_vertex({house, 0, 0}, {15.0, -10.0}), Succeeds());
+  ASSERT_THAT(desk.add_traced({50.0, -30.0}, 0.5, false), Succeeds());
+  EXPECT_EQ(desk.points().ring(), ring({{30, 50}, {50, 50}, {50, 30}}));
+  // What it lies on may be gone altogether; the neighbour's border is as good.
+  ASSERT_THAT(desk.select(std::vector<ObjectId>{house}, SelectHow::kInstead), Succeeds());
+  ASSERT_THAT(desk.delete_selected(), Succeeds());
+  ASSERT_THAT(desk.add_traced({60.0, -10.0}, 0.5, false), Succeeds());
+  EXPECT_EQ(desk.points().ring(), ring({{30, 50}, {50, 50}, {50, 30}, {50, 10}, {60, 10}}));
+  ASSERT_THAT(desk.select(std::vector<ObjectId>{beside}, SelectHow::kInstead), Succeeds());
+  ASSERT_THAT(desk.delete_selected(), Succeeds());
+  EXPECT_FALSE(desk.add_traced({50.0, -30.0}, 0.5, false));
 }
 
 TEST_F(ToolAtWork, WhatComesIsWhatFinishingDraws) {

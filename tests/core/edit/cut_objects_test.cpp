@@ -20,6 +20,8 @@ double covered_m2(const LabelDocument& document) {
   return sum;
 }
 
+std::vector<ObjectId> ids(std::initializer_list<ObjectId> of) { return of; }
+
 int cells_with(const LabelDocument& document, int count) {
   const Raster<int> claimed = cells_claimed(document);
   return static_cast<int>(std::count(claimed.values().begin(), claimed.values().end(), count));
@@ -95,17 +97,18 @@ TEST(Subtract, TakesWhatTheOtherCovers) {
   const LabelDocument document = document_of({area(kVegetation, {box(0, 0, 20, 10)}, 1),
                                               line(kRoad, ring({{8, -5}, {12, 15}}), 3.0, 2),
                                               area(kBuilding, {box(-5, -5, 30, 30)}, 3)});
-  const auto cut = edited(document, subtract(document, 1, 2));
+  const auto cut = edited(document, subtract(document, 1, ids({2})));
   EXPECT_EQ(cut.objects().size(), 4U) << "in two";
   const auto covered = region_of(object_in(document, 2));
   const auto whole = region_of(object_in(document, 1));
   EXPECT_NEAR(area_m2(*region_of(object_in(cut, 1))) + area_m2(*region_of(object_in(cut, 4))),
               area_m2(*without(*whole, *covered)), 1e-6);
-  EXPECT_EQ(edited(document, subtract(document, 1, 3)).objects().size(), 2U) << "covered whole";
-  EXPECT_FALSE(subtract(document, 1, 1));
+  EXPECT_EQ(edited(document, subtract(document, 1, ids({3}))).objects().size(), 2U)
+      << "covered whole";
+  EXPECT_FALSE(subtract(document, 1, ids({1})));
   const LabelDocument apart =
       document_of({area(kRoad, {box(0, 0, 5, 5)}, 1), area(kRoad, {box(5, 0, 9, 5)}, 2)});
-  EXPECT_TRUE(subtract(apart, 1, 2)->empty()) << "they only touch";
+  EXPECT_TRUE(subtract(apart, 1, ids({2}))->empty()) << "they only touch";
 }
 
 TEST(Clip, LeavesNeitherGapNorOverlap) {
@@ -128,11 +131,11 @@ TEST(Clip, LeavesNeitherGapNorOverlap) {
       LabelDocument after = document;
       std::vector<ObjectId> clipped{3};
       if (side == ClipSide::kThis) clipped = {1, 2};
-      for (const ObjectId id : clipped) after = edited(after, clip(after, id, side));
+      for (const ObjectId id : clipped) after = edited(after, clip(after, ids({id}), side));
       if (side == ClipSide::kOthers) {
         for (ObjectId id = 1; id < after.next_id(); ++id) {
           if (after.objects().count(id) > 0 && id != 3)
-            after = edited(after, clip(after, id, side));
+            after = edited(after, clip(after, ids({id}), side));
         }
       }
       EXPECT_EQ(40 * 30 - cells_with(after, 0), covered) << "no gap";
@@ -146,7 +149,7 @@ TEST(Clip, NewBordersMoveTogetherAfterwards) {
   const LabelDocument document =
       document_of({area(kTerrain, {box(0.3, 0.1, 12.7, 9.7)}, 1),
                    area(kTerrain, {ring({{9.1, 3.3}, {19, 2}, {17, 8}})}, 2)});
-  const auto after = edited(document, clip(document, 2, ClipSide::kThis));
+  const auto after = edited(document, clip(document, ids({2}), ClipSide::kThis));
   // Where the borders of both crossed, both have a place now; the corner inside is gone.
   EXPECT_EQ(shared_places(after), 2U);
   EXPECT_NEAR(covered_m2(after),

@@ -80,6 +80,58 @@ TEST(MoveVertex, RefusesWhatWouldBeUnsoundInOneSentence) {
   EXPECT_FALSE(move_vertex(triangle, {1, 0, 0}, {1e300, 0}, SharedBorders::kTogether));
 }
 
+TEST(MoveVertex, MovesCornersTogetherThatAnotherProgramHasRounded) {
+  // Borders as two programs write them: equal but for the last bits.
+  LabelDocument document = document_of(
+      {area(kRoad, {box(0, 0, 10, 10)}, 1),
+       area(kTerrain, {ring({{10 + 4e-7, 3e-7}, {20, 0}, {20, 10}, {10, 10 - 1e-6}})}, 2)});
+  const auto together =
+      edited(document, move_vertex(document, {1, 0, 2}, {12, -12}, SharedBorders::kTogether));
+  EXPECT_EQ(object_in(together, 2).rings[0][3], Eigen::Vector2d(12, -12));
+  EXPECT_EQ(shared_places(together), 1U);
+  const auto with_more =
+      edited(document, add_vertex(document, {1, 0, 1}, {10.5, -5}, SharedBorders::kTogether));
+  EXPECT_THAT(object_in(with_more, 2).rings[0], SizeIs(5));
+  const std::array<VertexRef, 1> corner{VertexRef{2, 0, 0}};
+  const auto without =
+      edited(document, remove_vertices(document, corner, SharedBorders::kTogether));
+  EXPECT_THAT(object_in(without, 1).rings[0], SizeIs(3));
+  const auto shifted =
+      edited(document, move_vertices(document, corner, {1, 0}, SharedBorders::kTogether));
+  EXPECT_EQ(object_in(shifted, 1).rings[0][1], object_in(shifted, 2).rings[0][0]);
+}
+
+TEST(MoveVertices, MovesEachOnceWithAllThatShareIt) {
+  const LabelDocument document = neighbours();
+  // The same border named by both of its neighbours, one corner twice.
+  const std::array<VertexRef, 4> border{VertexRef{1, 0, 1}, VertexRef{2, 0, 3}, VertexRef{3, 0, 1},
+                                        VertexRef{1, 0, 1}};
+  const auto after =
+      edited(document, move_vertices(document, border, {1.5, -0.25}, SharedBorders::kTogether));
+  EXPECT_EQ(object_in(after, 1).rings[0], ring({{0, 0}, {11.5, 0.25}, {11.5, 10.25}, {0, 10}}));
+  EXPECT_EQ(object_in(after, 3).rings[0], ring({{11.5, 0.25}, {11.5, 10.25}}));
+  EXPECT_EQ(shared_places(after), shared_places(document));
+  const auto alone =
+      edited(document, move_vertices(document, border, {1.5, -0.25}, SharedBorders::kAlone));
+  EXPECT_EQ(object_in(alone, 1).rings[0], ring({{0, 0}, {11.5, 0.25}, {10, 10}, {0, 10}}));
+  EXPECT_EQ(object_in(alone, 2).rings[0], ring({{10, 0}, {20, 0}, {20, 10}, {11.5, 10.25}}));
+  EXPECT_TRUE(move_vertices(document, border, {0, 0}, SharedBorders::kTogether)->empty());
+}
+
+TEST(MoveVertices, RefusesWhatWouldCrossItselfInOneSentence) {
+  const LabelDocument document = neighbours();
+  const std::array<VertexRef, 2> opposite{VertexRef{1, 0, 0}, VertexRef{1, 0, 2}};
+  EXPECT_THAT(error_text(move_vertices(document, opposite, {0, -11}, SharedBorders::kTogether)),
+              HasSubstr("Move vertices: area 1 would cross itself at"));
+  const std::array<VertexRef, 2> border{VertexRef{1, 0, 1}, VertexRef{3, 0, 0}};
+  EXPECT_THAT(error_text(move_vertices(document, border, {15, -5}, SharedBorders::kTogether)),
+              HasSubstr("Move vertices: area 2 would cross itself at"))
+      << "a neighbour that nobody has picked";
+  const std::array<VertexRef, 1> none{VertexRef{1, 0, 4}};
+  EXPECT_THAT(error_text(move_vertices(document, none, {1, 1}, SharedBorders::kAlone)),
+              HasSubstr("area 1 has no such place"));
+}
+
 TEST(AddVertex, GoesIntoEveryRingWithThatEdge) {
   const LabelDocument document = neighbours();
   const auto after =

@@ -110,6 +110,26 @@ TEST(ImportRules, MayTakeTheClassFromATag) {
   EXPECT_FALSE(rules.apply({{"class", "sky"}}, SourceForm::kArea));
 }
 
+TEST(ImportRules, MayTakeDrawingOrderAndNoteFromTags) {
+  const ImportRules rules = rules_of(
+      "[[rule]]\nwhere={class=true}\nkind=\"area\"\nclass={tag=\"class\"}\norder={tag=\"z\"}\n"
+      "note={tag=\"text\"}\n");
+  const auto drawn = [&](ImportTags tags) {
+    tags["class"] = "road";
+    return rules.apply(tags, SourceForm::kArea).value();
+  };
+  EXPECT_EQ(drawn({{"z", "-12"}, {"text", "by the river"}}).order, -12);
+  EXPECT_EQ(drawn({{"text", "by the river"}}).note, "by the river");
+  EXPECT_EQ(drawn({}).note, "") << "it says that there is none";
+  for (const char* const none :
+       {"", "high", "1.5", "99999999999999999999", "9223372036854775807"}) {
+    EXPECT_FALSE(drawn({{"z", none}}).order) << none;
+  }
+  const ImportRules silent =
+      rules_of("[[rule]]\nwhere={class=true}\nkind=\"area\"\nclass=\"road\"\n");
+  EXPECT_FALSE(silent.apply({{"class", "x"}, {"note", "y"}}, SourceForm::kArea)->note);
+}
+
 TEST(ImportRules, NameWhatIsWrongWithThem) {
   const auto complaint = [](std::string_view text) {
     return error_text(ImportRules::parse(text, "r.toml"));
@@ -132,6 +152,8 @@ TEST(ImportRules, NameWhatIsWrongWithThem) {
               HasSubstr("width_m is -1, not in (0,"));
   EXPECT_THAT(complaint("[[rule]]\nwhere={a=true}\nkind=\"area\"\nclass=\"road\"\nwidth_m=1\n"),
               HasSubstr("an area has no width_m"));
+  EXPECT_THAT(complaint("[[rule]]\nwhere={a=true}\nkind=\"area\"\nclass=\"road\"\norder=\"z\"\n"),
+              HasSubstr("order"));
   EXPECT_THAT(complaint("[[rule]]\nwhere={a=true}\nkind=\"area\"\nclas=\"road\"\n"),
               HasSubstr("did you mean class?"));
 }

@@ -241,6 +241,52 @@ TEST_F(LabelExport, AsCocoCountsEachCellOnce) {
   }
 }
 
+TEST_F(LabelExport, AsCocoNamesThePictureWhosePixelsAreTheCells) {
+  const auto named = [&](const std::string& name, const fs::path& picture, double resolution) {
+    const LabelDocument document = town();
+    const auto done = export_labels(document, export_grid(document, resolution), provenance,
+                                    LabelFormat::kCoco, at(name), {}, picture);
+    EXPECT_TRUE(done) << error_text(done);
+    return nlohmann::json::parse(text_of(at(name)))["images"][0]["file_name"].get<std::string>();
+  };
+  const OverheadMap map{"town", test_plane(), 1.0, {0.0, 0.0}, Raster<ClassId>(40, 30, kRoad)};
+  ASSERT_TRUE(write_overhead_map(map, provenance, ColourRaster(40, 30), at("town")));
+  fs::copy_file(at("town") / "image.tif", at("from above.tif"));
+  EXPECT_EQ(named("a.json", at("from above.tif"), 1.0), "from above.tif");
+  EXPECT_EQ(named("b.json", at("from above.tif"), 0.5), "labels.tif") << "has other cells";
+  EXPECT_EQ(named("c.json", {}, 1.0), "labels.tif");
+  EXPECT_EQ(named("d.json", at("gone.tif"), 1.0), "labels.tif");
+}
+
+TEST_F(LabelExport, AsIndexedPngIsThereWithAllThatTellsWhereItLiesOrNotAtAll) {
+  const auto exported = [&] {
+    return export_labels(town(), town().grid(), provenance, LabelFormat::kIndexedPng,
+                         at("town.png"));
+  };
+  // Where the world file cannot be written there is no picture either, and the other way round.
+  fs::create_directory(at("town.pgw"));
+  EXPECT_THAT(error_text(exported()), HasSubstr("town.pgw: is a folder"));
+  EXPECT_EQ(folder.entries(), 1);
+  fs::remove(at("town.pgw"));
+  fs::create_directory(at("town.png"));
+  EXPECT_THAT(error_text(exported()), HasSubstr("town.png: is a folder"));
+  EXPECT_EQ(folder.entries(), 1);
+  fs::remove(at("town.png"));
+  ASSERT_TRUE(exported());
+  EXPECT_EQ(folder.entries(), 3) << "picture, world file and notes";
+  // One that is stopped half-way leaves all three of before as they were.
+  const std::string before = text_of(at("town.png")) + text_of(at("town.pgw"));
+  std::stop_source stop;
+  WorkContext context;
+  context.stop = stop.get_token();
+  context.progress = [&](double, const std::string&) { stop.request_stop(); };
+  LabelDocument taller(test_plane(), test_grid(40, 900));
+  EXPECT_FALSE(export_labels(taller, taller.grid(), provenance, LabelFormat::kIndexedPng,
+                             at("town.png"), context));
+  EXPECT_EQ(text_of(at("town.png")) + text_of(at("town.pgw")), before);
+  EXPECT_EQ(folder.entries(), 3);
+}
+
 TEST_F(LabelExport, LeavesNothingBehindWhereItIsStopped) {
   std::stop_source stop;
   stop.request_stop();

@@ -175,6 +175,27 @@ TEST(OsmImport, RefusesWhatReachesAroundTheEarth) {
               HasSubstr("km, which is no map"));
 }
 
+TEST(OsmImport, CanBeStoppedWhileWaysAreJoined) {
+  const ScratchFolder folder;
+  const std::filesystem::path path = folder.file(
+      "map.osm", osm(node(1, 0, 0) + node(2, 0, 1) + way(1, {1, 2}, {{"highway", "service"}})));
+  std::stop_source stop;
+  std::vector<std::string> activities;
+  WorkContext context;
+  context.stop = stop.get_token();
+  context.progress = [&](double, const std::string& activity) {
+    if (activities.empty() || activities.back() != activity) activities.push_back(activity);
+    if (activity == "reading") stop.request_stop();  // All has been read by then.
+  };
+  const auto stopped = ImportSource::read(path, {}, context);
+  EXPECT_EQ(error_code(stopped), ErrorCode::kCancelled);
+  EXPECT_THAT(error_text(stopped), HasSubstr("map.osm: cancelled"));
+  stop = std::stop_source();
+  context.stop = {};
+  ASSERT_TRUE(ImportSource::read(path, {}, context));
+  EXPECT_THAT(activities, testing::ElementsAre("reading", "joining"));
+}
+
 TEST(OsmImport, CountsNodesThatLieNowhere) {
   const Imported found = import_osm(
       kCorners + "<node id='7' lat='91' lon='8'/><node id='8' lat='x' lon='8'/><node id='9'/>\n" +

@@ -122,6 +122,35 @@ TEST_F(LabelStoreTest, GoesToAnyStepOfAnyBranch) {
   EXPECT_TRUE(store.document() == at[7]);
 }
 
+TEST_F(LabelStoreTest, TheWayBetweenStepsLeadsACopyThereAndChangesNothing) {
+  LabelStore store = made();
+  work(store, 40, 0, 5);
+  const LabelDocument fifth = store.document();
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(store.undo());
+  const LabelDocument second = store.document();
+  work(store, 40, 50, 2);
+  const LabelDocument seventh = store.document();
+  const auto led = [&](LabelDocument document, std::int64_t from, std::int64_t to) {
+    const auto way = store.way(document, from, to);
+    EXPECT_TRUE(way) << error_text(way);
+    for (const LabelEdit& edit : *way) document.apply(edit);
+    return document;
+  };
+  EXPECT_TRUE(led(seventh, 7, 5) == fifth);
+  EXPECT_TRUE(led(fifth, 5, 2) == second);
+  EXPECT_TRUE(led(second, 2, 7) == seventh);
+  EXPECT_TRUE(led(seventh, 7, 0) == LabelDocument(test_plane(), test_grid(40, 30)));
+  EXPECT_TRUE(led(seventh, 7, 7) == seventh);
+  EXPECT_TRUE(store.document() == seventh);
+  EXPECT_EQ(store.undo_step()->number, 7);
+  for (const auto& [from, to] : {std::pair{7, 8}, {-1, 7}, {9, 7}}) {
+    const auto way = store.way(seventh, from, to);
+    ASSERT_FALSE(way);
+    EXPECT_EQ(way.error().code, ErrorCode::kInvalidOptions);
+  }
+  EXPECT_FALSE(store.way(second, 7, 5)) << "it is not the document of that step";
+}
+
 TEST_F(LabelStoreTest, ClosedItIsOneFileAndOpeningItChangesNothing) {
   {
     LabelStore store = made();

@@ -82,6 +82,31 @@ TEST(MapMatcher, CostsADistanceThatGrowsUpToItsTruncation) {
   EXPECT_THAT(cost_at(6), DoubleNear(1.0, 1e-9));
 }
 
+TEST(ClassCostRaster, OfAPartIsThatOfTheWholeButNearItsCut) {
+  const auto whole = index_of(patchwork_map(120, 90, 0.2));
+  OverheadMap part = whole->map();
+  part.labels = Raster<ClassId>(70, 60);
+  for (int row = 0; row < 60; ++row) {
+    for (int column = 0; column < 70; ++column) {
+      part.labels.at(column, row) = whole->map().labels.at(25 + column, 15 + row);
+    }
+  }
+  const auto index = index_of(part);
+  for (const MatchKind match : {MatchKind::kClass, MatchKind::kDistance}) {
+    LocaliserOptions options;
+    options.match = match;
+    const int margin = match == MatchKind::kClass ? 0 : 5;  // the truncation of 1 m
+    const CostRaster of_whole = class_cost_raster(*whole, kCurb, options);
+    const CostRaster of_part = class_cost_raster(*index, kCurb, options);
+    for (int row = margin; row < 60 - margin; ++row) {
+      for (int column = margin; column < 70 - margin; ++column) {  // the border is one cell
+        ASSERT_EQ(of_part.values[static_cast<std::size_t>((row + 1) * 72 + column + 1)],
+                  of_whole.values[static_cast<std::size_t>((row + 16) * 122 + column + 26)]);
+      }
+    }
+  }
+}
+
 TEST(MapMatcher, KeepsTheWeightOfAClassWhenItsCellsAreThinned) {
   const auto index = index_of(patchwork_map(200, 200, 0.2));
   const auto seen = perfect_topview(index->map(), {20.0, 20.0, 0.4}, 12.0);

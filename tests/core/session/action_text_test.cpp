@@ -48,6 +48,7 @@ TEST(ActionText, HasEveryArgument) {
       {CloseRun{2}, "close-run 2"},
       {Seek{12.5}, "seek 12.5"},
       {Seek{1.0 / 3.0}, "seek 0.3333333333333333"},
+      {GoToMoment{12.5}, "moment 12.5"},
       {StepBy{-10}, "step -10"},
       {GoTo{Moment::kPreviousWorst}, "go previous-worst"},
       {Play{Switch::kOn}, "play on"},
@@ -76,7 +77,14 @@ TEST(ActionText, HasEveryArgument) {
       {EditBookmark{2, "two\nlines"}, "bookmark-note 2 \"two\\nlines\""},
       {Copy{"say \"hello\""}, "copy \"say \\\"hello\\\"\""},
       {Copy{"back\\slash"}, "copy back\\slash"},
-      {DismissNotice{}, "dismiss"}};
+      {DismissNotice{}, "dismiss"},
+      {OpenLabels{"/my maps/town"}, "label \"/my maps/town\""},
+      {AddPlace{1.5, -2, 0.25, SelectHow::kAdd}, "point 1.5 -2 0.25 add"},
+      {AddPlace{1.5, -2, {}, {}}, "point 1.5 -2"},
+      {DrawLine{"road", 3.5, {{{0.0, 1.0}, {-2.5, 1e-7}}}}, "draw-line road 3.5 0,1 -2.5,1e-07"},
+      {SelectLabels{{{3, 17}}}, "select-labels 3 17"},
+      {SelectLabels{}, "select-labels"},
+      {RecodeLabels{"road", "curb", {}}, "recode road curb"}};
   for (const auto& [action, words] : known) {
     EXPECT_EQ(action_text(action), words);
     EXPECT_EQ(again(action), "");
@@ -159,6 +167,12 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"copy \"no end", "copy \"no end: the quotes of TEXT do not end (copy TEXT)"},
         Refusal{"copy \"a\"b", "copy b: TEXT goes on after its quotes (copy TEXT)"},
         Refusal{"bookmark-note 1", "bookmark-note: NOTE is missing (bookmark-note NUMBER NOTE)"},
+        Refusal{"draw-area road 1,2 3",
+                "draw-area 3: '3' is no place: write EAST,NORTH (draw-area CLASS EAST,NORTH...)"},
+        Refusal{"draw-area road 1,nan",
+                "draw-area 1,nan: '1,nan' is no place: write EAST,NORTH (draw-area CLASS EAST,NORTH...)"},
+        Refusal{"select-labels 1 x",
+                "select-labels x: 'x' is not a whole number (select-labels [OBJECT...])"},
         Refusal{"open", "open: PATH is missing (open PATH)"}));
 
 TEST(ParseAction, NeverThrowsWhateverItIsGiven) {

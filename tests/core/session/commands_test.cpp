@@ -32,22 +32,24 @@ TEST(SessionCommands, AreActionsThatCanBeParsed) {
       EXPECT_EQ(action ? action_text(*action) : "", command.text);
     } else {
       // Of the clipboard's text nobody is asked.
-      EXPECT_NE(command.title.ends_with("..."), command.text == "paste-view") << command.title;
+      const bool is_pasted = command.text == "paste-view" || command.text == "paste-labels";
+      EXPECT_NE(command.title.ends_with("..."), is_pasted) << command.title;
       std::set<std::string_view> names;
       for (const ActionHelp& help : action_helps()) names.insert(help.name);
-      EXPECT_TRUE(names.contains(command.text)) << command.text;
+      EXPECT_TRUE(names.contains(command.text.substr(0, command.text.find(' ')))) << command.text;
     }
   }
 }
 
 TEST(SessionCommands, HaveOneMeaningPerShortcutAndOneTitleEach) {
-  std::set<std::string_view> shortcuts, titles;
-  const std::set<std::string_view> menus = {"File", "Edit", "View", "Run", "Go", "Help"};
+  std::set<std::string_view> shortcuts, label_shortcuts, titles;
+  const std::set<std::string_view> menus = {"File", "Edit", "View", "Run", "Go", "Label", "Help"};
   for (const Command& command : session_commands()) {
     EXPECT_TRUE(titles.insert(command.title).second) << command.title;
     EXPECT_TRUE(menus.contains(command.menu)) << command.menu;
     if (command.shortcut.empty()) continue;
-    EXPECT_TRUE(shortcuts.insert(command.shortcut).second) << command.shortcut;
+    auto& taken = command.menu == kLabelMenu ? label_shortcuts : shortcuts;
+    EXPECT_TRUE(taken.insert(command.shortcut).second) << command.shortcut;
   }
 }
 
@@ -72,9 +74,13 @@ TEST(SessionCommands, ReachEveryActionThatNeedsNoPointer) {
   }
   // Those are what a pointer does, or a control with a value.
   const std::set<std::string_view> others = {
-      "look",       "place",         "select-particle", "layer-opacity", "layer-colour",
-      "layer-move", "splitter",      "memory",          "strip-move",    "strip-height",
-      "copy",       "bookmark-note", "bookmark-remove"};
+      "look",          "moment",        "place",         "select-particle", "layer-opacity",
+      "layer-colour",  "layer-move",    "splitter",      "memory",          "strip-move",
+      "strip-height",  "copy",          "bookmark-note", "bookmark-remove", "label-tab",
+      "label-opacity", "point",         "trace",         "draw-area",       "draw-line",
+      "draw-outline",  "draw-street",   "cut-hole",      "stroke",          "fill",
+      "recode",        "select-labels", "select-box",    "move-vertex",     "add-vertex",
+      "move-labels",   "split-labels"};
   for (const ActionHelp& help : action_helps()) {
     EXPECT_NE(reached.contains(help.name), others.contains(help.name)) << help.name;
   }
@@ -234,6 +240,8 @@ TEST_F(SessionTest, CanDoEveryCommandOfWhichItSaysNothing) {
   settle();
   for (const Command& command : session_commands()) {
     const bool begins_work = command.text.starts_with("rerun") || command.text == "open-demo";
+    // Those on labels would draw on the map that all tests share.
+    if (command.menu == kLabelMenu || command.text == "workspace label") continue;
     if (!command.is_whole || begins_work || !why_not(command, *session_).empty()) continue;
     const auto done = session_->apply(*parse_action(command.text));
     const bool is_at_the_edge = command.text.starts_with("go ");  // no moment comes after the last
@@ -246,6 +254,7 @@ TEST_F(SessionTest, CanDoEveryCommandOfWhichItSaysNothing) {
 TEST_F(SessionTest, CannotDoWhatACommandIsRefusedFor) {
   for (const Command& command : session_commands()) {
     if (!command.is_whole || why_not(command, *session_).empty()) continue;
+    if (command.menu == kLabelMenu && command.text.starts_with("label-option")) continue;
     if (command.text == "dismiss" || command.text == "measure" || command.text == "loop") continue;
     if (command.text.starts_with("lay-at") || command.text.starts_with("follow")) continue;
     if (command.text.starts_with("show") || command.text.starts_with("tool")) continue;

@@ -107,6 +107,22 @@ TEST(FileToOpen, SaysWhyNot) {
   EXPECT_THAT(error_text(file_to_open(large)), HasSubstr("is too large for a recipe"));
 }
 
+TEST(FileToOpen, TakesOverheadImagesAndLabelsForWhatIsLabelled) {
+  const ScratchFolder scratch;
+  const auto kind_of = [&](const std::string& name) {
+    const auto found = file_to_open(scratch.file(name, "II*"));
+    return found ? std::string(enum_name(found->kind)) : found.error().message;
+  };
+  for (const char* const name : {"aerial.tif", "AERIAL.TIFF", "tiles.mbtiles", "labels.gpkg"}) {
+    EXPECT_EQ(kind_of(name), "image") << name;
+    EXPECT_EQ(kind_at_a_glance(scratch.path() / name, false), FileKind::kLabels) << name;
+  }
+  // Of a picture of any kind only a file beside it says that it lies somewhere.
+  EXPECT_NE(kind_of("beach.jpg"), "image");
+  scratch.file("beach.jgw", "0.1\n0\n0\n-0.1\n0\n0\n");
+  EXPECT_EQ(kind_of("beach.jpg"), "image");
+}
+
 TEST(FileToOpen, OfAForeignKindSaysWhatItLooksLikeAndWhatCanBeOpened) {
   const ScratchFolder scratch;
   std::string database("SQLite format 3\0", 16);
@@ -117,7 +133,6 @@ TEST(FileToOpen, OfAForeignKindSaysWhatItLooksLikeAndWhatCanBeOpened) {
       {scratch.file("notes.txt", "Fly at noon.\n"), "is a text whose first line is no pose"},
       {scratch.file("page.html", "\n<!DOCTYPE html>"), "is an XML or HTML text"},
       {scratch.file("data.json", "{}"), "is a JSON text"},
-      {scratch.file("cells.tif", std::string("II*\0", 4)), "is a TIFF picture"},
       {scratch.file("drive.bag", "#ROSBAG V2.0\n"), "is a ROS bag"},
       {scratch.file("all.zip", "PK\x03\x04"), "is a ZIP archive"},
       {scratch.file("noise.bin", std::string("\x01\x02\x00\x03", 4)), "is data of a kind"},

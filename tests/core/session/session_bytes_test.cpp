@@ -61,7 +61,7 @@ TEST_F(SessionBytesTest, OpensWhatWasOpenWhateverItIsCalled) {
   EXPECT_NE(session_->active_run()->document, nullptr);
   ASSERT_NE(session_->map(), nullptr);
   EXPECT_NE(session_->map()->index, nullptr);
-  EXPECT_NE(session_->opened_flight(), nullptr);
+  EXPECT_TRUE(session_->flight_to_rerun(RerunFrom::kFlight));
   for (const fs::path& path : {latin_run_, latin_map_, latin_flight_}) {
     EXPECT_THAT(session_->recents(), Contains(path.string()));
   }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fstream>
+#include <set>
+#include <string_view>
 
 #include "core/base/staged_output.h"
+#include "core/session/commands.h"
 #include "tests/core/run/recorded_run.h"
 #include "tests/core/session/session_fixture.h"
 
@@ -27,6 +30,13 @@ class SessionInputsTest : public SessionTest {
     EXPECT_TRUE(writer.finish());
     return path;
   }
+  /// Why a command cannot be done now; empty: it can.
+  [[nodiscard]] std::string reason(std::string_view text) const {
+    for (const Command& command : session_commands()) {
+      if (command.text == text) return why_not(command, *session_);
+    }
+    return "no such command";
+  }
 };
 
 TEST_F(SessionInputsTest, ShowsARunWhoseFlightAndMapAreGone) {
@@ -40,6 +50,42 @@ TEST_F(SessionInputsTest, ShowsARunWhoseFlightAndMapAreGone) {
   EXPECT_THAT(notice_texts(), Contains(HasSubstr("its map /nowhere/town is not there")));
   EXPECT_NE(session_->step(), nullptr);
   EXPECT_EQ(refused("rerun start"), "lonely: its flight is not there, so it cannot be run again");
+}
+
+TEST_F(SessionInputsTest, OffersTheRerunThatWouldBeMadeAndNoOther) {
+  act(open(lonely_run()));
+  settle();
+  const std::string gone = "lonely: its flight is not there, so it cannot be run again";
+  for (const char* rerun : {"rerun start", "rerun cursor"}) EXPECT_EQ(reason(rerun), gone) << rerun;
+  EXPECT_EQ(reason("rerun flight"), "open a flight first");
+  act(open(SmallWorld::get().flight));
+  EXPECT_EQ(reason("rerun flight"), "the flight is still being read");
+  EXPECT_EQ(reason("rerun start"), gone);
+  act(open(SmallWorld::get().map));
+  settle();
+  EXPECT_EQ(reason("rerun start"), gone) << "another flight is no reason";
+  EXPECT_EQ(reason("rerun flight"), "");
+  // Of a run that is begun and not seen yet the next one takes the flight.
+  ask_for_a_slow_run(*session_);
+  act("rerun flight");
+  ASSERT_EQ(session_->active_run()->name, "lonely");
+  EXPECT_EQ(session_->run_to_rerun(RerunFrom::kStart)->name, "flight");
+  EXPECT_EQ(reason("rerun start"), "");
+  EXPECT_EQ(reason("rerun cursor"), gone) << "that is of the moment that is seen";
+  act("rerun start");
+  EXPECT_EQ(session_->jobs().front().title.find("localising"), 0U);
+  act("cancel");
+  act("cancel");
+  settle();
+}
+
+TEST_F(SessionInputsTest, SaysThatTheFlightOfARunIsBeingRead) {
+  act(open(run_));
+  std::set<std::string> reasons;
+  poll_until(*session_, [&] { return reasons.insert(reason("rerun start")).first->empty(); });
+  for (const std::string& reason : reasons) {
+    EXPECT_TRUE(reason.empty() || reason.ends_with("still being read")) << reason;
+  }
 }
 
 TEST_F(SessionInputsTest, TakesTheBundledMapWhereARunNamesIt) {
@@ -178,7 +224,7 @@ TEST_F(SessionInputsTest, NeverShowsOneRunsCameraUnderAnothersName) {
   act(open(SmallWorld::get().flight));
   settle();
   EXPECT_EQ(session_->flight(), nullptr) << "of another flight than the run";
-  ASSERT_NE(session_->opened_flight(), nullptr);
+  ASSERT_TRUE(session_->flight_to_rerun(RerunFrom::kFlight));
   EXPECT_EQ(refused("rerun start"), "lonely: its flight is not there, so it cannot be run again");
 }
 

@@ -75,7 +75,7 @@ TEST_F(SessionRerunTest, LocalisesTheRunsFlightWhateverElseWasOpened) {
   act("open " + other.string());
   settle();
   EXPECT_EQ(session_->flight()->description().path, SmallWorld::get().flight);
-  EXPECT_EQ(session_->opened_flight()->description().path, other);
+  EXPECT_EQ(session_->flight_to_rerun(RerunFrom::kFlight).value()->description().path, other);
   ASSERT_TRUE(session_->notices().back().remedy);
   EXPECT_EQ(action_text(*session_->notices().back().remedy), "rerun flight") << "that is offered";
   act("rerun start");

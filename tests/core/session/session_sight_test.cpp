@@ -118,8 +118,52 @@ TEST_F(SessionSightTest, AClickOnAMarkGoesToItsMomentAsTheKeyDoes) {
   const double time_s = session_->playback().time_s;
   act("look -500 -500 30");
   act("seek 0");
-  ASSERT_TRUE(session_->apply(actions::Seek{time_s}));
+  ASSERT_TRUE(session_->apply(actions::GoToMoment{time_s}));
+  EXPECT_EQ(session_->playback().time_s, time_s);
   EXPECT_EQ(look(), there);
+  EXPECT_FALSE(session_->apply(actions::GoToMoment{NAN}));
+}
+
+TEST_F(SessionSightTest, AVehicleUnderTheLegendIsInSightAndMovesNoMap) {
+  open_run();
+  act("seek 0");
+  const Eigen::Vector2d start = step().estimate.moments.mean.translation_m();
+  session_->set_map_room({1.0, 0.1, 0.0, 0.3, 0.0});
+  act(fmt::format("look {} {} 100", start.x(), start.y() + 45.0));
+  const MapLook before = look();
+  ASSERT_LT(share_at(start, 1.0).y(), 0.1) << "a legend lies over it";
+  act("step 1");
+  EXPECT_EQ(look(), before);
+  // Where it leaves the page, its new place is in the middle of what is free.
+  act(fmt::format("look {} {} 4", start.x(), start.y()));
+  act("go end");
+  const Eigen::Vector2d at = share_at(step().estimate.moments.mean.translation_m(), 1.0);
+  EXPECT_NEAR(at.x(), 0.55, 1e-9);
+  EXPECT_NEAR(at.y(), 0.65, 1e-9);
+}
+
+TEST_F(SessionSightTest, AScrubOverMarksIsNoWishToLookAtThem) {
+  open_run();
+  act("go end");
+  act("bookmark");  // at the last moment, where a scrub beyond the end stops too
+  act("seek 0");
+  act("look 40 30 40000");
+  act("layer labels off");
+  act("undo");
+  const MapLook wide = look();
+  const std::string next = *session_->redo_title(), last = *session_->undo_title();
+  for (const OpenRun& run : session_->runs()) {
+    for (const WorstMoment& moment : run.moments) {
+      ASSERT_TRUE(session_->apply(actions::Seek{moment.time_s}));
+    }
+  }
+  act("seek 1e9");
+  EXPECT_EQ(session_->playback().time_s, document().duration_s());
+  EXPECT_EQ(look(), wide) << "a scrub does not zoom";
+  EXPECT_EQ(session_->undo_title(), last);
+  EXPECT_EQ(session_->redo_title(), next) << "nothing that could be done again is dropped";
+  act(fmt::format("moment {}", document().duration_s()));
+  EXPECT_LT(look().width_m, 400.0) << "who clicks its mark looks at it";
 }
 
 TEST_F(SessionSightTest, GoingToAMomentThatWouldBeTinyComesNear) {

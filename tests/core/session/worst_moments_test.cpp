@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "core/base/angle.h"
-#include "core/session/moment_episodes.h"
-#include "tests/core/session/made_run.h"
+#include "tests/core/session/moments_of_run.h"
 
 namespace nadir {
 namespace worst_moments_test {
@@ -15,18 +14,6 @@ namespace worst_moments_test {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-
-bool is_within(const RunStep& step, int first, int last) {
-  return step.step >= first && step.step <= last;
-}
-
-std::vector<WorstMoment> of_kind(const RunDocument& run, MomentKind kind) {
-  std::vector<WorstMoment> moments;
-  for (const WorstMoment& moment : run.worst_moments) {
-    if (moment.kind == kind) moments.push_back(moment);
-  }
-  return moments;
-}
 
 TEST(WorstMoments, OfAQuietRunAreItsLargestErrorAlone) {
   const auto run = made_document(400, [](RunStep& step) {
@@ -136,51 +123,6 @@ TEST(WorstMoments, LowAgreementCountsAgainstTheRunsOwnSpread) {
   EXPECT_THAT(of_kind(*drop_at_200(0.15), MomentKind::kLowAgreement), IsEmpty());
 }
 
-TEST(WorstMoments, LostAndFoundAgainFollowTheRuleOfTheEvaluation) {
-  const auto run = made_document(400, [](RunStep& step) {
-    if (is_within(step, 100, 149)) set_error_m(step, step.step == 120 ? 12.0 : 8.0);
-  });
-  ASSERT_EQ(run->evaluation.convergence.lost_stretches, 1U);
-  const auto lost = of_kind(*run, MomentKind::kLost);
-  ASSERT_THAT(lost, SizeIs(1));
-  EXPECT_EQ(lost[0].step, 100U);
-  EXPECT_EQ(lost[0].words, "lost: 8.0 m off, up to 12.0 m, found again 5.0 s later");
-  EXPECT_NEAR(lost[0].severity, 12.0 / 5.0, 1e-9);
-  EXPECT_NEAR(lost[0].to_s, 15.0, 1e-9);
-  const auto found = of_kind(*run, MomentKind::kFound);
-  ASSERT_THAT(found, SizeIs(1));
-  EXPECT_EQ(found[0].step, 150U);
-  EXPECT_EQ(found[0].words, "found again after 5.0 s");
-}
-
-TEST(WorstMoments, ARunThatBeganLostIsFoundOnceAndMayStayLost) {
-  const auto run = made_document(400, [](RunStep& step) {
-    if (step.step < 100) set_error_m(step, 30.0);
-    if (step.step >= 300) set_error_m(step, 6.0);
-  });
-  const auto found = of_kind(*run, MomentKind::kFound);
-  ASSERT_THAT(found, SizeIs(1));
-  EXPECT_EQ(found[0].words, "found 10.0 s after the start");
-  EXPECT_DOUBLE_EQ(found[0].time_s, *run->evaluation.convergence.after_s);
-  const auto lost = of_kind(*run, MomentKind::kLost);
-  ASSERT_THAT(lost, SizeIs(1));
-  EXPECT_EQ(lost[0].words, "lost: 6.0 m off, up to 6.0 m, not found again");
-  EXPECT_EQ(lost[0].to_s, run->time_s.back());
-}
-
-TEST(WorstMoments, ARunIsNotFoundWhereItBeganAsRunsDo) {
-  const auto began_wide = [](int steps) {
-    return of_kind(*made_document(400,
-                                  [=](RunStep& step) {
-                                    if (step.step >= steps) return;
-                                    step.estimate.moments.covariance.diagonal() << 9, 9, 0.01;
-                                  }),
-                   MomentKind::kFound);
-  };
-  EXPECT_THAT(began_wide(19), IsEmpty());
-  EXPECT_THAT(began_wide(21), SizeIs(1));
-}
-
 TEST(WorstMoments, WithoutTruthSpreadAgreementAndGapsRemain) {
   const auto run = made_document(400, [](RunStep& step) {
     step.truth_in_enu.reset();
@@ -199,14 +141,6 @@ TEST(WorstMoments, WithoutTruthSpreadAgreementAndGapsRemain) {
   EXPECT_NEAR(run->worst_moments[3].severity, std::sqrt(3.0 / 0.5), 1e-6);
   EXPECT_EQ(run->worst_moments[3].step, 300U);
   EXPECT_EQ(run->worst_moments[3].from_s, run->time_s[299]);
-}
-
-TEST(WorstMoments, StepsWithoutACovarianceAreNeitherLostNorFound) {
-  const auto run = made_document(100, [](RunStep& step) {
-    step.truth_in_enu.reset();
-    if (step.step % 2 == 0) step.estimate.moments.covariance.setConstant(std::nan(""));
-  });
-  EXPECT_THAT(run->worst_moments, IsEmpty());
 }
 
 TEST(WorstMoments, TopviewsWithoutCellsAreMissingDataUnlessTheRunHasNone) {
@@ -279,29 +213,6 @@ TEST(WorstMoments, AreSteppedThroughWithoutStandingStill) {
   EXPECT_EQ(previous_moment(moments, 1.0), nullptr);
   EXPECT_EQ(most_severe(moments), &moments[1]);
   EXPECT_EQ(most_severe({}), nullptr);
-}
-
-TEST(Episodes, AreOneAcrossAShortBreakAndKeepTheFirstOfEqualPeaks) {
-  const std::vector<double> time_s = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0};
-  const std::vector<double> value = {1.0, 2.0, std::nan(""), 2.0, 0.5, 0.5, 3.0};
-  const auto severity = [&](std::size_t i) { return value[i]; };
-  const auto merged = detail::find_episodes(time_s, 2.5, severity);
-  ASSERT_THAT(merged, SizeIs(2));
-  EXPECT_EQ(merged[0].first, 0U);
-  EXPECT_EQ(merged[0].last, 3U);
-  EXPECT_EQ(merged[0].peak, 1U);
-  EXPECT_EQ(merged[1].first, 6U);
-  EXPECT_THAT(detail::find_episodes(time_s, 0.0, severity), SizeIs(3));
-  EXPECT_THAT(detail::find_episodes(time_s, 100.0, severity), SizeIs(1));
-}
-
-TEST(MomentWords, HaveNoMoreDigitsThanHelp) {
-  EXPECT_EQ(detail::length_words(0.123), "0.12 m");
-  EXPECT_EQ(detail::length_words(0.996), "1.0 m");
-  EXPECT_EQ(detail::length_words(12.34), "12.3 m");
-  EXPECT_EQ(detail::length_words(134.4), "134 m");
-  EXPECT_EQ(detail::duration_words(12.34), "12.3 s");
-  EXPECT_EQ(detail::duration_words(125.2), "2 min 5 s");
 }
 
 }  // namespace worst_moments_test

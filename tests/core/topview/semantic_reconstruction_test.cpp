@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/topview/cell_placement.h"
 #include "tests/support/drawn_map.h"
 #include "tests/support/made_topview.h"
 #include "tests/support/scenery.h"
@@ -148,6 +149,28 @@ TEST(SemanticReconstruction, AgreesWithVotesCountedOneByOne) {
     }
     EXPECT_EQ(cells_with_votes, counted.size());
   }
+}
+
+TEST(SemanticReconstruction, VisitsEachCellOnceWithItsVotesByClass) {
+  constexpr double kCellM = 0.2;
+  const auto moments = random_moments(7, kCellM);
+  std::map<std::pair<int, int>, SemanticReconstruction::CellVotes> expected;
+  for (const Moment& moment : moments) {
+    const CellPlacement placement(moment.enu_from_body, kCellM);
+    for (ClassId id = 0; id < kClassCount; ++id) {
+      for (const TopviewCell& cell : moment.seen.of_class(id)) {
+        const Eigen::Vector2d centre = placement.centre_in_enu_m(cell);
+        const auto i = static_cast<int>(std::floor(centre.x() / kCellM));
+        ++expected[{i, static_cast<int>(std::floor(centre.y() / kCellM))}][id];
+      }
+    }
+  }
+  std::map<std::pair<int, int>, SemanticReconstruction::CellVotes> visited;
+  reconstruct(moments, kCellM)
+      .visit_cells([&](int i, int j, const SemanticReconstruction::CellVotes& votes) {
+        EXPECT_TRUE(visited.emplace(std::pair(i, j), votes).second) << i << ' ' << j;
+      });
+  EXPECT_EQ(visited, expected);
 }
 
 TEST(SemanticReconstruction, IsJustAsLargeAsWhatWasSeen) {

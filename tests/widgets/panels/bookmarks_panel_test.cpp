@@ -49,9 +49,9 @@ struct ShownBookmarks {
 TEST(BookmarksPanel, ARowGoesToItsMoment) {
   ShownBookmarks shown(two_bookmarks());
   EXPECT_THAT(shown.asked, IsEmpty());
-  EXPECT_THAT(shown.click_row("Bookmarks/2/##go"), ElementsAre(Action(actions::Seek{42.3})));
+  EXPECT_THAT(shown.click_row("Bookmarks/2/##go"), ElementsAre(Action(actions::GoToMoment{42.3})));
   EXPECT_THAT(shown.click_row("Bookmarks/Worst moments/1/##go"),
-              ElementsAre(Action(actions::Seek{17.5})));
+              ElementsAre(Action(actions::GoToMoment{17.5})));
 }
 
 TEST(BookmarksPanel, TellsTimesNotesKindsAndWords) {
@@ -155,18 +155,18 @@ TEST(BookmarksPanel, HasTheMostSevereFirstOrTheEarliest) {
   EXPECT_TRUE(shown.screen.at("Bookmarks/Worst moments/##Order/worst first").is_selected);
   EXPECT_EQ(shown.screen.at("Bookmarks/Worst moments/1/39.5").value, "39.5");
   EXPECT_THAT(shown.click_row("Bookmarks/Worst moments/1/##go"),
-              ElementsAre(Action(actions::Seek{390.0})));
+              ElementsAre(Action(actions::GoToMoment{390.0})));
   shown.screen.click("Bookmarks/Worst moments/##Order/by time", shown.draw());
   EXPECT_TRUE(shown.state.is_by_time);
   EXPECT_THAT(shown.click_row("Bookmarks/Worst moments/1/##go"),
-              ElementsAre(Action(actions::Seek{0.0})));
+              ElementsAre(Action(actions::GoToMoment{0.0})));
 }
 
 TEST(BookmarksPanel, ScrollsToTheLastOfManyMoments) {
   ShownBookmarks shown(many_moments());
   EXPECT_FALSE(shown.screen.at("Bookmarks/Worst moments/40/##go").is_visible);
   EXPECT_THAT(shown.click_row("Bookmarks/Worst moments/40/##go"),
-              ElementsAre(Action(actions::Seek{0.0})));
+              ElementsAre(Action(actions::GoToMoment{0.0})));
   EXPECT_TRUE(shown.screen.at("Bookmarks/Worst moments/40/##go").is_visible);
 }
 

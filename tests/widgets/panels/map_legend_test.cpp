@@ -11,6 +11,7 @@ namespace map_legend_test {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
 using ::testing::Not;
 
 SemanticTopview one_cell(ClassId id) {
@@ -104,6 +105,37 @@ TEST_F(MapLegend, NamesClassesThatOnlyTopviewsHaveAndKeepsThem) {
   show(Layer::kTopview);
   seen.add("another run", *made.step);
   EXPECT_THAT(names(), Not(Contains("car"))) << "of another run nothing is known";
+}
+
+TEST_F(MapLegend, ThatLastsIsTheSameAtEveryMomentOfARun) {
+  for (const Layer layer : {Layer::kParticles, Layer::kTopview, Layer::kDisagreement,
+                            Layer::kErrorSurface, Layer::kTruth}) {
+    show(layer);
+  }
+  const auto lasting = [this] {
+    std::vector<std::string> all;
+    for (const LegendEntry& entry : lasting_map_legend(model, {1}, theme(ThemeName::kDark))) {
+      all.push_back(entry.name);
+    }
+    return all;
+  };
+  const std::vector<std::string> at_first = lasting();
+  EXPECT_THAT(at_first,
+              IsSupersetOf({"truth", "particles", "agrees", "cost 1.00 to 0.00", "road"}));
+  model.surface_costs = CostRange{0.21F, 0.84F};
+  EXPECT_EQ(lasting(), at_first);
+  RunStep bare = *made.step;
+  bare.particles.reset();
+  bare.topview.reset();
+  model.step = std::make_shared<const RunStep>(bare);
+  EXPECT_EQ(lasting(), at_first) << "nothing was seen in this step";
+  EXPECT_THAT(names(), Not(Contains("particles"))) << "the legend itself says so";
+  model.step.reset();
+  EXPECT_EQ(lasting(), at_first) << "it is not decoded yet";
+  RunDocument blind = *made.document;
+  for (RunStep& step : blind.steps) step.topview_cells = step.particle_count = 0;
+  model.runs[0].document = std::make_shared<const RunDocument>(blind);
+  EXPECT_THAT(lasting(), ElementsAre("truth", "cost 1.00 to 0.00")) << "of a run without either";
 }
 
 TEST_F(MapLegend, NamesTheClassesOfAMapOfLabelsOnly) {
@@ -240,6 +272,21 @@ TEST(MapLegendPlate, IsFittedAnewOnlyForOtherNamesOrAnotherMap) {
   EXPECT_FALSE(is_kept());
 }
 
+TEST(MapLegendPlate, MeasuresItsWordsOnceAndKnowsItsPlaceWithoutBeingDrawn) {
+  const std::vector<LegendEntry> entries = {{"truth", {1, 2, 3}}, {"estimate", {4, 5, 6}}};
+  const MapFrame frame{{0.0, 0.0, 800.0, 540.0}, {}, 96.0 / 72.0};
+  LegendFit fit, undrawn;
+  RecordingCanvas before, after;
+  const PageRect plate = draw_map_legend(before, frame, entries, theme(ThemeName::kDark), fit);
+  EXPECT_EQ(place_of_map_legend(frame, entries, undrawn), plate);
+  ASSERT_EQ(fit.layout.places.size(), 2U);
+  fit.layout.places[1].x() += 5.0;  // what is kept is drawn as it is
+  draw_map_legend(after, frame, entries, theme(ThemeName::kDark), fit);
+  ASSERT_EQ(after.texts.size(), 2U);
+  EXPECT_EQ(after.texts[0].point, before.texts[0].point);
+  EXPECT_EQ(after.texts[1].point.x(), before.texts[1].point.x() + 5.0);
+}
+
 TEST(MapLegendPlate, IsAsHighAsWhatIsDrawnOnIt) {
   std::vector<LegendEntry> entries;
   for (int i = 0; i < 9; ++i) {
@@ -250,7 +297,8 @@ TEST(MapLegendPlate, IsAsHighAsWhatIsDrawnOnIt) {
       const MapFrame frame{{0.0, 0.0, 640.0, 480.0}, {}, px};
       const PageRect plate = draw_map_legend(canvas, frame, entries, theme(ThemeName::kDark), fit);
       if (fit.count < entries.size()) continue;
-      EXPECT_DOUBLE_EQ(plate.height, legend_height(fit.width + px, entries, px) + 10.0 * px);
+      EXPECT_DOUBLE_EQ(plate.height,
+                       legend_layout(fit.width + px, entries, px).height_px + 10.0 * px);
       EXPECT_EQ(canvas.texts.size(), entries.size()) << "nothing falls off it";
     }
   }

@@ -118,6 +118,37 @@ TEST_F(MapView, TellsWhatItsControlsCover) {
   EXPECT_LT(state.room.bottom, 0.4);
 }
 
+TEST_F(MapView, TheRoomOfAFittedMapRestsWhileTheRunPlays) {
+  model.look.layer(Layer::kLegend).is_visible = true;
+  model.look.layer(Layer::kTopview).is_visible = true;
+  model.look.layer(Layer::kDisagreement).is_visible = true;
+  show();
+  const MapRoom room = state.room;
+  const double legend_px = state.legend_height_px;
+  ASSERT_GT(room.bottom, 0.02);
+  RunStep step = *made.step;
+  for (ClassId id = 0; id < kClassCount; ++id) {  // a topview of every class that there is
+    SemanticTopview topview;
+    topview.cells.resize(1);
+    for (std::size_t next = id + 1U; next < topview.class_begin.size(); ++next) {
+      topview.class_begin.at(next) = 1;
+    }
+    step.topview = topview;
+    model.step = std::make_shared<const RunStep>(step);
+    show();
+    EXPECT_EQ(state.room, room);
+  }
+  EXPECT_GT(state.legend_height_px, legend_px) << "the legend names what was seen";
+  step.particles.reset();
+  step.topview.reset();
+  model.step = std::make_shared<const RunStep>(step);
+  show();
+  EXPECT_EQ(state.room, room) << "a step that saw nothing";
+  model.step.reset();
+  show();
+  EXPECT_EQ(state.room, room) << "a step that is not decoded yet";
+}
+
 TEST_F(MapView, WithoutAnythingOpenItOffersTheDemo) {
   model = {};
   model.look = default_map_look();

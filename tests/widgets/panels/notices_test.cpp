@@ -117,6 +117,49 @@ TEST(Notices, StayInTheirPartOfTheWindow) {
   }
 }
 
+TEST(Notices, AreCountedByTheNewestWhereALineOfTheirOwnHasNoRoom) {
+  Notices notices;
+  notices.inside = {200.0, 40.0, 700.0, 150.0};
+  notices.add_many(4);
+  notices.model.all.back().kind = Notice::Kind::kInfo;
+  notices.model.all[1].kind = Notice::Kind::kWarning;
+  notices.screen.wait(5, notices);
+  EXPECT_THAT(notices.shown(), ElementsAre(4));
+  EXPECT_FALSE(notices.screen.has("Notices/more"));
+  EXPECT_EQ(notices.screen.at("Notices/4").value,
+            "Newest of 4, 2 errors hidden: loop.nadir: step 7 is damaged");
+  const Actions asked = notices.screen.click("Notices/4/Copy", notices);
+  ASSERT_EQ(asked.size(), 1U);
+  EXPECT_EQ(std::get<actions::Copy>(asked[0]).text,
+            "loop.nadir: step 7 is damaged\nchecksum 12 instead of 34")
+      << "its own words";
+  notices.model.all.pop_back();
+  notices.screen.wait(5, notices);
+  EXPECT_EQ(notices.screen.at("Notices/3").value,
+            "Newest of 3, 1 error hidden: loop.nadir: step 7 is damaged");
+  notices.model.all.erase(notices.model.all.begin());
+  notices.screen.wait(5, notices);
+  EXPECT_EQ(notices.screen.at("Notices/3").value, "Newest of 2: loop.nadir: step 7 is damaged")
+      << "a warning is counted, and no error is hidden";
+  notices.model.all.erase(notices.model.all.begin());
+  notices.screen.wait(5, notices);
+  EXPECT_EQ(notices.screen.at("Notices/3").value, "loop.nadir: step 7 is damaged");
+}
+
+TEST(Notices, HideNoneWithoutACountInAnyRoom) {
+  for (double height = 60.0; height <= 640.0; height += 20.0) {
+    Notices notices;
+    notices.inside = {200.0, 40.0, 700.0, height};
+    notices.add_many(5);
+    notices.screen.wait(5, notices);
+    const std::size_t shown = notices.shown().size();
+    ASSERT_GE(shown, 1U) << height;
+    const bool is_counted = notices.screen.has("Notices/more") ||
+                            notices.screen.at("Notices/5").value.starts_with("Newest of 5");
+    EXPECT_EQ(is_counted, shown < 5) << height;
+  }
+}
+
 TEST(NoticesModel, HasAllOfASession) {
   const ScratchFolder folder;
   Session session({folder.path() / "config", folder.path() / "data", {}});

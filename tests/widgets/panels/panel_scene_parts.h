@@ -81,6 +81,7 @@ struct Nothing {};
 
 /// What surrounds the map, and what lies over the window.
 void add_window_scenes(std::vector<PanelScene>& scenes);
+void add_label_scenes(std::vector<PanelScene>& scenes);
 /// What asks for files.
 void add_file_scenes(std::vector<PanelScene>& scenes);
 /// What is seen of a flight.

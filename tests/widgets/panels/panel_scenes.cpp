@@ -56,6 +56,7 @@ std::vector<PanelScene> panel_scenes() {
   scenes::add_file_scenes(all);
   scenes::add_flight_scenes(all);
   scenes::add_empty_scenes(all);
+  scenes::add_label_scenes(all);
   return all;
 }
 

@@ -15,10 +15,27 @@ using ::testing::IsEmpty;
 
 TEST(CommandOf, FindsEveryShortcutOfTheTable) {
   for (const Command& command : session_commands()) {
-    if (command.shortcut.empty()) continue;
+    if (command.shortcut.empty() || command.menu == kLabelMenu) continue;
     const auto chord = kit::parse_chord(command.shortcut);
     ASSERT_TRUE(chord) << command.shortcut;
     EXPECT_EQ(command_of(*chord), &command) << command.shortcut;
+  }
+}
+
+TEST(PressedCommand, IsOnLabelsOnlyWhileTheyAreDrawn) {
+  for (const bool draws_labels : {false, true}) {
+    kit::HeadlessUi screen;
+    std::string pressed;
+    screen.press("B", [&](kit::Ui& ui) {
+      const Command* const command = pressed_command(ui, false, draws_labels);
+      if (command != nullptr) pressed = command->text;
+    });
+    EXPECT_EQ(pressed, draws_labels ? "label-option tool brush" : "bookmark");
+    screen.press("Ctrl+Z", [&](kit::Ui& ui) {
+      const Command* const command = pressed_command(ui, false, draws_labels);
+      if (command != nullptr) pressed = command->text;
+    });
+    EXPECT_EQ(pressed, "undo") << "what labels have no key for stays";
   }
 }
 

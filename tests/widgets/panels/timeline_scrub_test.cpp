@@ -96,13 +96,11 @@ TEST(TimelineScrubs, MarksAreHitExactlyAndSayWhatTheyAre) {
   model.bookmarks = {Bookmark{66.6, "odd turn", {}}};
   ShownTimeline shown(model);
   const TimeAxis axis = shown.axis();
-  EXPECT_THAT(
-      all_of<actions::Seek>(shown.click_x("Timeline/Ruler", std::round(axis.x_px(33.3)) + 2.0)),
-      ElementsAre(actions::Seek{33.3}));
+  EXPECT_THAT(shown.click_x("Timeline/Ruler", std::round(axis.x_px(33.3)) + 2.0),
+              ElementsAre(Action(actions::GoToMoment{33.3})));
   EXPECT_THAT(shown.screen.tooltip(), HasSubstr("12 m off"));
-  EXPECT_THAT(
-      all_of<actions::Seek>(shown.click_x("Timeline/Ruler", std::round(axis.x_px(66.6)) - 2.0)),
-      ElementsAre(actions::Seek{66.6}));
+  EXPECT_THAT(shown.click_x("Timeline/Ruler", std::round(axis.x_px(66.6)) - 2.0),
+              ElementsAre(Action(actions::GoToMoment{66.6})));
   EXPECT_THAT(shown.screen.tooltip(), HasSubstr("odd turn"));
 }
 
@@ -119,13 +117,14 @@ TEST(TimelineScrubs, AMarkIsHitInItsLaneOnlyAndNeverStopsAScrub) {
       all_of<actions::Seek>(shown.screen.click_at("Timeline/Ruler", from_left, 6.0, shown.draw())),
       ElementsAre(actions::Seek{shown.axis().time_s(x)}))
       << "above the marks";
-  EXPECT_THAT(all_of<actions::Seek>(shown.screen.click_at("Timeline/Ruler", from_left,
-                                                          ruler.height - 6.0, shown.draw())),
-              ElementsAre(actions::Seek{moment.time_s}));
-  const auto seeks =
-      all_of<actions::Seek>(shown.screen.drag("Timeline/Ruler", 100.0, 0.0, shown.draw()));
-  ASSERT_GE(seeks.size(), 3U);
-  EXPECT_EQ(seeks.front(), actions::Seek{moment.time_s}) << "it began on the mark";
+  EXPECT_THAT(shown.screen.click_at("Timeline/Ruler", from_left, ruler.height - 6.0, shown.draw()),
+              ElementsAre(Action(actions::GoToMoment{moment.time_s})));
+  const auto asked = shown.screen.drag("Timeline/Ruler", 100.0, 0.0, shown.draw());
+  ASSERT_FALSE(asked.empty());
+  EXPECT_EQ(asked.front(), Action(actions::GoToMoment{moment.time_s})) << "it began on the mark";
+  EXPECT_THAT(all_of<actions::GoToMoment>(asked), SizeIs(1)) << "what follows only seeks";
+  const auto seeks = all_of<actions::Seek>(asked);
+  ASSERT_GE(seeks.size(), 2U);
   EXPECT_NEAR(seeks.back().time_s, shown.axis().time_s(x + 100.0), 1e-9);
   EXPECT_FALSE(shown.state.is_scrubbing);
 }

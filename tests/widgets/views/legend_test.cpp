@@ -74,6 +74,31 @@ TEST(Legend, DrawsNothingBelowItsStrip) {
   EXPECT_THAT(canvas.texts, IsEmpty());
 }
 
+TEST(Legend, IsDrawnByItsLayoutAsItWouldLayItselfOut) {
+  std::vector<LegendEntry> entries;
+  for (int i = 0; i < 6; ++i) {
+    entries.push_back({"name " + std::to_string(i * i * i), {1, 2, 3}, LegendEntry::Kind::kBar});
+  }
+  const PageRect where{10.0, 10.0, 300.0, 200.0};
+  const LegendLayout layout = legend_layout(where.width, entries, 2.0);
+  ASSERT_THAT(layout.places, SizeIs(6));
+  EXPECT_EQ(layout.places[0], Eigen::Vector2d::Zero());
+  for (std::size_t i = 1; i < layout.places.size(); ++i) {
+    const Eigen::Vector2d step = layout.places[i] - layout.places[i - 1];
+    EXPECT_TRUE(step.y() == 0.0 ? step.x() > 0.0 : layout.places[i].x() == 0.0) << i;
+    EXPECT_GE(step.y(), 0.0);
+  }
+  EXPECT_GT(layout.height_px, layout.places.back().y());
+  RecordingCanvas once, again;
+  EXPECT_EQ(draw_legend(once, where, entries, theme(ThemeName::kDark), 2.0), layout.height_px);
+  draw_legend(again, where, entries, layout, theme(ThemeName::kDark), 2.0);
+  ASSERT_EQ(once.texts.size(), again.texts.size());
+  for (std::size_t i = 0; i < once.texts.size(); ++i) {
+    EXPECT_EQ(once.texts[i].point, again.texts[i].point);
+  }
+  EXPECT_EQ(legend_layout(300.0, {}, 2.0).height_px, 0.0);
+}
+
 TEST(Legend, ShowsAParticleAsADotWithItsHeadingAndCasing) {
   const Rgba teal{30, 155, 138};
   const Rgba dark{0, 0, 0};
