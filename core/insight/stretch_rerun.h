@@ -40,7 +40,7 @@ struct StretchStep {
   std::optional<double> error_before_m = {}, error_after_m = {}, error_before_rad = {},
                         error_after_rad = {};
   CellAgreement::Count agreement_before = {},
-      agreement_after = {};  ///< Each at its own estimate, on its own labels.
+                       agreement_after = {};  ///< Each at its own estimate, on its own labels.
 };
 
 /// Of the steps that both runs have.

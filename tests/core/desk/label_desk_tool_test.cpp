@@ -91,7 +91,8 @@ TEST_F(ToolAtWork, AStreetNeedsItsProfile) {
   ASSERT_THAT(points({{10, 40}, {100, 40}}), Succeeds());
   EXPECT_THAT(error_text(desk.finish()), HasSubstr("no street profile \"residential street\""));
   EXPECT_EQ(desk.points().size(), 2U);
-  desk.set_profiles({{"residential street", {{kRoad, 0.0, 6.0, 0.0, 0.0}, {kCurb, 3.5, 1.0, 0.0, 0.0}}}});
+  desk.set_profiles(
+      {{"residential street", {{kRoad, 0.0, 6.0, 0.0, 0.0}, {kCurb, 3.5, 1.0, 0.0, 0.0}}}});
   EXPECT_FALSE(desk.coming({110.0, -40.0}, 0.1).empty());
   EXPECT_EQ(object_count(), 0U);
   ASSERT_THAT(desk.finish(), Succeeds());

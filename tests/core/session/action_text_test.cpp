@@ -170,7 +170,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"draw-area road 1,2 3",
                 "draw-area 3: '3' is no place: write EAST,NORTH (draw-area CLASS EAST,NORTH...)"},
         Refusal{"draw-area road 1,nan",
-                "draw-area 1,nan: '1,nan' is no place: write EAST,NORTH (draw-area CLASS EAST,NORTH...)"},
+                "draw-area 1,nan: '1,nan' is no place: write EAST,NORTH (draw-area CLASS "
+                "EAST,NORTH...)"},
         Refusal{"select-labels 1 x",
                 "select-labels x: 'x' is not a whole number (select-labels [OBJECT...])"},
         Refusal{"open", "open: PATH is missing (open PATH)"}));
