@@ -179,16 +179,16 @@ int run_gui(std::span<const std::string> arguments, std::ostream& out, std::ostr
 }
 
 int run_label(std::span<const std::string> arguments, std::ostream& out, std::ostream& err) {
-  CLI::App app(
-      "Opens the window to draw labels on a map or an overhead image. Every stroke is on disk at "
-      "once, in labels.gpkg of the map or IMAGE.labels.gpkg",
-      "nadir label");
+  CLI::App app("Opens the window to draw labels on a map or an overhead image", "nadir label");
   GuiArguments values;
   app.add_option("MAP", values.request.labels,
                  "Map package, overhead image with a georeference, or labelling document")
       ->required();
   add_window_options(app, values);
-  app.footer("Example: nadir label maps/proving-ground\nnadir map export then writes labels.tif");
+  app.footer(
+      "Every stroke is on disk at once: in labels.gpkg of the map, or IMAGE.labels.gpkg\n"
+      "beside an image. 'nadir map export' then writes labels.tif.\n\n"
+      "Example: nadir label maps/proving-ground");
   return run_window(app, values, arguments, out, err);
 }
 

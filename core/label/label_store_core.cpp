@@ -215,6 +215,10 @@ Result<void> LabelStore::Implementation::go_to(std::int64_t number) {
 Result<std::vector<LabelEdit>> LabelStore::Implementation::way(const LabelDocument& start,
                                                                std::int64_t from,
                                                                std::int64_t to) const {
+  if (const auto oldest = std::min(from, to); oldest < 0) {
+    return fail(ErrorCode::kInvalidOptions, "{}: its history has no step {}", path.string(),
+                oldest);
+  }
   // The younger of two ends is never before the older one, so that both come to where the branches part.
   std::vector<std::pair<LabelStep, StepDirection>> steps, forth;
   while (from != to) {

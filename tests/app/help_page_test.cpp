@@ -19,7 +19,8 @@ using testing::Not;
 std::vector<std::vector<std::string>> every_command() {
   return {{},         {"demo"},           {"simulate"},      {"localise"},      {"evaluate"},
           {"map"},    {"map", "info"},    {"map", "import"}, {"map", "export"}, {"map", "check"},
-          {"flight"}, {"flight", "info"}, {"figure"},        {"report"},        {"gui"}};
+          {"flight"}, {"flight", "info"}, {"figure"},        {"report"},        {"gui"},
+          {"label"}};
 }
 
 std::string help_of(std::vector<std::string> command) {

@@ -94,8 +94,10 @@ void draw_brush_circle(Canvas& canvas,
   const double arm = 3.0 * look.px_per_pt;
   // A ring about as large as its cross would hide what is painted.
   if (radius_px > 1.5 * arm) stroke_mark(canvas, circle_around(at, radius_px), 1.2, look);
+  // On the middle of a pixel, for between two of them line and casing mix to the grey of the ground.
+  const Eigen::Vector2d middle = at.array().floor() + 0.5;
   for (const Eigen::Vector2d& way : {Eigen::Vector2d(arm, 0.0), Eigen::Vector2d(0.0, arm)}) {
-    stroke_mark(canvas, {at - way, at + way}, 0.9, look);
+    stroke_mark(canvas, {middle - way, middle + way}, 0.9, look);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/map/overhead_map_file.h"
@@ -53,9 +54,9 @@ class HandLabels : public GuiProgram {
   ~HandLabels() override { fs::current_path(before_); }
 
   static double position_rmse_m(const std::string& run_file) {
-    const Ending told = run({"evaluate", run_file, "--json"});
+    const Ending told = run({"evaluate", run_file, "--json", "--out", run_file + ".json"});
     EXPECT_EQ(told.status, 0) << told.words;
-    return nlohmann::json::parse(told.words)
+    return nlohmann::json::parse(std::ifstream(run_file + ".json"))
         .at("runs")
         .at(0)
         .at("estimate")

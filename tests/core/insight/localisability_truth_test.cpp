@@ -76,7 +76,14 @@ struct Scene {
   MapMatcher matcher = MapMatcher::create(index, filter).value();
 };
 
-/// Anywhere that a vehicle may be: no walls, no roofs.
+bool is_inland(const OverheadMap& map, const Eigen::Vector2d& place_in_enu_m) {
+  const Eigen::Vector2d cell = map.overhead_from_enu(place_in_enu_m);
+  const double margin = 4.0 * kPriorM / map.metres_per_cell;
+  return cell.minCoeff() > margin && cell.x() < map.labels.width() - margin &&
+         cell.y() < map.labels.height() - margin;
+}
+
+/// Anywhere that a vehicle may be: no walls, no roofs, and not so near the border that what is known before would lie off the map.
 std::vector<Rigid2> random_places(const OverheadMap& map, std::size_t count) {
   std::vector<Rigid2> places;
   for (std::uint32_t i = 0; places.size() < count; ++i) {
@@ -87,6 +94,7 @@ std::vector<Rigid2> random_places(const OverheadMap& map, std::size_t count) {
         map.enu_from_overhead({u * map.labels.width(), v * map.labels.height()});
     const ClassId id = map.class_at(place);
     if (id == kUnclassified || id == kBuilding) continue;
+    if (!is_inland(map, place)) continue;
     places.push_back({place.x(), place.y(), wrap_rad(2.0 * std::numbers::pi * turn)});
   }
   return places;
@@ -126,15 +134,16 @@ std::vector<Trial> trials(const Scene& scene, std::size_t count) {
     static_cast<void>(unused);
     const Rigid2 before{places[i].x_m + kPriorM * east, places[i].y_m + kPriorM * north,
                         wrap_rad(places[i].yaw_rad + kPriorRad * turn)};
-    auto particles =
-        draw_particles(GaussianPrior{before, kPriorM, kPriorRad}, scene.map, 10'000, 100 + i);
+    ParticleSet particles =
+        draw_particles(GaussianPrior{before, kPriorM, kPriorRad}, scene.map, 10'000, 100 + i)
+            .value();
     if (!seen.empty()) {
       LocaliserOptions trusting = scene.filter;
       trusting.min_effective_fraction = 0.0;  // a single update shall say all that it says
       const double evidence = std::min(1.0, seen.area_m2 / trusting.full_evidence_area_m2);
-      apply_likelihood(*particles, scene.matcher.mean_costs(seen, *particles), evidence, trusting);
+      apply_likelihood(particles, scene.matcher.mean_costs(seen, particles), evidence, trusting);
     }
-    const PoseMoments after = pose_moments(*particles);
+    const PoseMoments after = pose_moments(particles);
     result.push_back(
         {.predicted_m = std::hypot(view.std_major_m, view.std_minor_m),
          .predicted_heading_rad = static_cast<double>(view.std_heading_rad),

@@ -124,6 +124,7 @@ TEST_F(LabelStoreTest, GoesToAnyStepOfAnyBranch) {
 
 TEST_F(LabelStoreTest, TheWayBetweenStepsLeadsACopyThereAndChangesNothing) {
   LabelStore store = made();
+  const LabelDocument blank = store.document();
   work(store, 40, 0, 5);
   const LabelDocument fifth = store.document();
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(store.undo());
@@ -139,7 +140,7 @@ TEST_F(LabelStoreTest, TheWayBetweenStepsLeadsACopyThereAndChangesNothing) {
   EXPECT_TRUE(led(seventh, 7, 5) == fifth);
   EXPECT_TRUE(led(fifth, 5, 2) == second);
   EXPECT_TRUE(led(second, 2, 7) == seventh);
-  EXPECT_TRUE(led(seventh, 7, 0) == LabelDocument(test_plane(), test_grid(40, 30)));
+  EXPECT_TRUE(led(seventh, 7, 0) == blank);
   EXPECT_TRUE(led(seventh, 7, 7) == seventh);
   EXPECT_TRUE(store.document() == seventh);
   EXPECT_EQ(store.undo_step()->number, 7);

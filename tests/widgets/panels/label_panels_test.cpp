@@ -182,14 +182,15 @@ TEST_F(LabelPanels, MapPaintsAStrokeAsOneStep) {
   EXPECT_NE(desk().under(at(ground.width / 2 + 40, ground.height / 2)).class_id, kVegetation);
 }
 
-TEST_F(LabelPanels, MapZoomsByTheWheelAndNotByTheToolsDrag) {
+TEST_F(LabelPanels, MapZoomsByTheWheelAndReadsTheLabelsThatAreDrawn) {
+  act("draw-area vegetation 140,-110 160,-110 160,-90 140,-90");
   screen_.wait(2, map());
   const double before = map_.camera.metres_per_px;
   screen_.scroll("Map/Ground", 1.0, map());
   screen_.wait(2, map());
   EXPECT_LT(map_.camera.metres_per_px, before);
   ASSERT_TRUE(map_.readout);
-  EXPECT_EQ(map_.readout->class_name, "unclassified");
+  EXPECT_EQ(map_.readout->class_name, "vegetation");
 }
 
 }  // namespace label_panels_test

@@ -119,7 +119,8 @@ TEST(LabelOverlay, MarksEachKindOfSnapByItsOwnForm) {
     const auto canvas = CairoCanvas::for_pixels(32, 32, kWhite);
     draw_snap_mark(*canvas, {16.0, 16.0}, mark, {1.0, 0.0}, {kBlack, kWhite, 1.0});
     std::string form;
-    for (const Rgba pixel : canvas->pixels().values()) form += pixel.red < 128 ? '#' : '.';
+    const Raster<Rgba> page = canvas->pixels();
+    for (const Rgba pixel : page.values()) form += pixel.red < 128 ? '#' : '.';
     EXPECT_GT(std::count(form.begin(), form.end(), '#'), 15);
     for (const std::string& other : forms) {
       int different = 0;
@@ -151,8 +152,7 @@ TEST(LabelOverlay, DrawsTheBrushAsLargeAsItIs) {
   }
   LabelOverlay tiny;
   tiny.brush = {{10.0, -10.0}, 0.01};
-  EXPECT_NE(drawn_on(kGround, tiny).values(), drawn_on(kGround, {}).values())
-      << "the cross still says where";
+  EXPECT_GT(changed_pixels(drawn_on(kGround, tiny), kGround), 10) << "the cross still says where";
 }
 
 TEST(LabelOverlay, NamesShortLegsOnlyWhereSomebodyTyped) {
