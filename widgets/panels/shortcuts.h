@@ -14,7 +14,8 @@ namespace nadir {
 
 /// The command whose keys went down in this frame; null for none. Not while a text is typed, but for chords that no text
 /// takes; what lies over the window leaves only chords that show or close something.
-/// @param draws_labels  Then commands on labels come first; else their keys mean nothing.
+/// @param draws_labels  Then commands on labels come first, and keys that go along a flight mean nothing ([ and ] are the
+/// brush's); else keys of labels mean nothing.
 [[nodiscard]] const Command* pressed_command(const kit::Ui& ui,
                                              bool is_overlay_open,
                                              bool draws_labels = false);

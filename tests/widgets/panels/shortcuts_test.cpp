@@ -39,6 +39,19 @@ TEST(PressedCommand, IsOnLabelsOnlyWhileTheyAreDrawn) {
   }
 }
 
+TEST(PressedCommand, LeavesTheFlightWhereItIsWhileLabelsAreDrawn) {
+  for (const char* const key : {"[", "]", "Space", "Left", "Up", "Home", "W", "Ctrl+Right"}) {
+    for (const bool draws_labels : {false, true}) {
+      kit::HeadlessUi screen;
+      bool is_pressed = false;
+      screen.press(key, [&](kit::Ui& ui) {
+        is_pressed = is_pressed || pressed_command(ui, false, draws_labels) != nullptr;
+      });
+      EXPECT_EQ(is_pressed, !draws_labels) << key;
+    }
+  }
+}
+
 TEST(CommandOf, KnowsNoCommandForOtherKeys) {
   EXPECT_EQ(command_of({.key = kit::Key::kF12, .modifiers = {.ctrl = true, .alt = true}}), nullptr);
   EXPECT_EQ(command_of({}), nullptr);
