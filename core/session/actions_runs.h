@@ -78,7 +78,7 @@ struct Rerun {
 struct CancelJob {
   static constexpr std::string_view kForm = "cancel [JOB]";
   static constexpr std::string_view kHelp =
-      "Stop work in the background; without a number, the newest";
+      "Stop work in the background; without a number, the newest that goes on";
   std::optional<int> job;
   NADIR_ACTION_FIELDS(job)
   friend bool operator==(const CancelJob&, const CancelJob&) = default;

@@ -28,6 +28,7 @@ struct JobStatus {
   std::string activity;
   std::optional<double> left_s;
   bool will_be_shown = false;  ///< What comes of it is waited for: there is nothing else to see.
+  bool is_stopping = false;    ///< Somebody has asked for that; it ends in a moment.
 };
 
 }  // namespace nadir

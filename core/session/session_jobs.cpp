@@ -9,34 +9,35 @@ namespace nadir {
 std::vector<JobStatus> Session::Implementation::jobs() const {
   std::vector<JobStatus> list;
   const auto add = [&list](int number, std::string title, const JobProgress& progress,
-                           bool will_be_shown) {
+                           bool will_be_shown, bool is_stopping) {
     list.push_back({number, std::move(title), progress.fraction, progress.activity,
-                    progress.remaining_s(), will_be_shown});
+                    progress.remaining_s(), will_be_shown, is_stopping});
   };
   for (std::size_t i = 0; i < works.size(); ++i) {
     if (works[i].reading && !runs[i].document) {
-      add(works[i].number, "reading " + runs[i].name, works[i].reading->progress(), false);
+      add(works[i].number, "reading " + runs[i].name, works[i].reading->progress(), false, false);
     }
   }
   for (const RerunWork& work : reruns) {
     const OpenRun* const run = active();
     const bool is_waited_for = run != nullptr && run->path == work.run && !run->document;
     add(work.number, (work.is_cancelled ? "stopping " : "localising ") + work.name,
-        work.job.progress(), is_waited_for);
+        work.job.progress(), is_waited_for, work.is_cancelled);
   }
   if (labels && labels->opening) {
     add(labels->number,
         "opening the labels of " + std::filesystem::path(labels->path).filename().string(),
-        labels->opening->progress(), false);
+        labels->opening->progress(), false, false);
   }
   for (const SmallWork& work : small_works) {
-    add(work.number, work.title, work.job.progress(), false);
+    add(work.number, work.title, work.job.progress(), false, work.is_cancelled);
   }
   for (const EffectWork& work : effect_works) {
     JobProgress progress{work.fraction, work.activity, 0.0};
     progress.elapsed_s =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - work.began).count();
-    add(work.number, work.title, progress, work.opens_result && active() == nullptr);
+    add(work.number, work.title, progress, work.opens_result && active() == nullptr,
+        work.is_cancelled);
   }
   std::sort(list.begin(), list.end(),
             [](const JobStatus& a, const JobStatus& b) { return a.number < b.number; });
@@ -64,7 +65,11 @@ bool Session::Implementation::is_busy() const {
 Result<void> Session::Implementation::perform(const actions::CancelJob& action) {
   const std::vector<JobStatus> all = jobs();
   if (all.empty()) return fail(ErrorCode::kInvalidOptions, "no work is going on");
-  const int number = action.job.value_or(all.back().number);
+  // Asked for twice, two works stop, although the first of them is still there.
+  const auto going_on =
+      std::find_if(all.rbegin(), all.rend(), [](const JobStatus& job) { return !job.is_stopping; });
+  const int newest = going_on == all.rend() ? all.back().number : going_on->number;
+  const int number = action.job.value_or(newest);
   const auto is_it = [number](const auto& work) { return work.number == number; };
   if (const auto work = std::find_if(reruns.begin(), reruns.end(), is_it); work != reruns.end()) {
     work->is_cancelled = true;

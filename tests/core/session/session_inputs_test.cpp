@@ -76,6 +76,7 @@ TEST_F(SessionInputsTest, OffersTheRerunThatWouldBeMadeAndNoOther) {
   EXPECT_EQ(session_->jobs().front().title.find("localising"), 0U);
   act("cancel");
   act("cancel");
+  for (const JobStatus& job : session_->jobs()) EXPECT_TRUE(job.is_stopping) << job.title;
   settle();
 }
 
