@@ -64,8 +64,10 @@ Result<void> Session::Implementation::perform(const actions::OpenLabels& action)
   const std::string path = labelled_path(action.path);
   std::error_code error;
   if (!fs::exists(path, error)) return fail(ErrorCode::kNotFound, "{}: does not exist", path);
-  const bool is_package = fs::exists(fs::path(path) / "map.toml", error);
-  if (is_package && kept.view.map_path.empty()) {
+  // A package whose labels are only beginning is no map to replay on yet.
+  const bool is_map = fs::exists(fs::path(path) / "map.toml", error) &&
+                      fs::exists(fs::path(path) / "labels.tif", error);
+  if (is_map && kept.view.map_path.empty()) {
     if (auto opened = open_map(path); !opened) return opened;
   }
   if (path != label.path) label.elsewhere = {};

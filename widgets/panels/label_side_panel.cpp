@@ -105,8 +105,11 @@ void draw_objects(kit::Ui& ui, const LabelDesk& desk, LabelSideState& state, Act
   ui.text(fmt::format("{} objects, the top-most first", shown.size()), kit::TextLook::kMuted);
   const auto list = ui.scroll_area("List");
   if (state.objects.empty()) {
-    ui.wrapped("No objects yet. What labels.tif held is paint: it is drawn on like any other.",
-               kit::TextLook::kMuted);
+    ui.wrapped(
+        desk.sheet().now().paint().empty()
+            ? "No objects yet: take a tool and draw."
+            : "No objects yet. What labels.tif held is paint: it is drawn on like any other.",
+        kit::TextLook::kMuted);
   }
   ui.clipped_rows(shown.size(), ui.px(kLabelRowHeight),
                   [&](std::size_t i) { draw_object_row(ui, desk, shown[i], asked); });

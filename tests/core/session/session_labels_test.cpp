@@ -5,6 +5,7 @@
 #include "core/label/label_store.h"
 #include "core/map/overhead_map_file.h"
 #include "core/session/label_view.h"
+#include "tests/core/desk/desk_at_work.h"
 #include "tests/core/session/session_fixture.h"
 
 namespace nadir {
@@ -63,6 +64,17 @@ class SessionLabels : public SessionTest {
 
   fs::path package_ = scratch_.path() / "town";
 };
+
+TEST_F(SessionLabels, BeginOnAPackageThatHasNoneYetWithoutAWordOfError) {
+  const fs::path bare = half_a_road(scratch_.path(), true);
+  fs::remove(bare / "labels.tif");
+  act("label \"" + bare.string() + "\"");
+  settle();
+  ASSERT_NE(session_->label_desk(), nullptr);
+  EXPECT_EQ(notice_texts(), std::vector<std::string>());
+  draw_box();
+  EXPECT_EQ(object_count(), 1U);
+}
 
 TEST_F(SessionLabels, OfAPackageAreOpenedWithItsMap) {
   open_labels();
