@@ -8,13 +8,13 @@ namespace nadir {
 
 namespace {
 
-std::string_view name_of(const Command& command) {
+std::string_view verb_of(const Command& command) {
   return command.text.substr(0, command.text.find(' '));
 }
 
 /// Goes along a flight, which is not in front while labels are drawn.
 bool goes_along_flight(const Command& command) {
-  const std::string_view name = name_of(command);
+  const std::string_view name = verb_of(command);
   return name == "play" || name == "step" || name == "go";
 }
 
@@ -31,7 +31,7 @@ const Command* command_of(const kit::Chord& chord) {
 bool repeats_while_held(const Command& command) {
   constexpr std::array<std::string_view, 6> kRepeating = {"step", "zoom", "rotate",
                                                           "go",   "undo", "redo"};
-  return std::find(kRepeating.begin(), kRepeating.end(), name_of(command)) != kRepeating.end();
+  return std::find(kRepeating.begin(), kRepeating.end(), verb_of(command)) != kRepeating.end();
 }
 
 const Command* pressed_command(const kit::Ui& ui, bool is_overlay_open, bool draws_labels) {
