@@ -63,18 +63,22 @@ TEST(LabelPictures, KeepThinLinesAtEveryLevel) {
   EXPECT_GE(seen, 389.0 / std::ldexp(0.1, coarsest) - 2) << "a pixel a column at least";
 }
 
+/// Turned by 30 degrees, pixels of 0.5 m, in UTM.
+void place_turned(DrawnImage& drawn) {
+  const double c = 0.5 * std::cos(0.5236), s = 0.5 * std::sin(0.5236);
+  Affine2 placed;
+  placed.linear << c, s, s, -c;
+  placed.offset = {455'000.0, 5'427'000.0};
+  drawn.crs_from_pixel = placed;
+  drawn.crs = "EPSG:32632";
+}
+
 /// An image that its file says lies turned and stretched, on the plane and in a window.
 class TurnedImage : public MapPage {
  protected:
   void SetUp() override {
-    // Turned by 30 degrees, pixels of 0.5 m, in UTM; colours change each 16 pixels.
-    DrawnImage drawn{.pixels = mosaic(400, 300)};
-    const double c = 0.5 * std::cos(0.5236), s = 0.5 * std::sin(0.5236);
-    Affine2 placed;
-    placed.linear << c, s, s, -c;
-    placed.offset = {455'000.0, 5'427'000.0};
-    drawn.crs_from_pixel = placed;
-    drawn.crs = "EPSG:32632";
+    DrawnImage drawn{.pixels = mosaic(400, 300)};  // colours change each 16 pixels
+    place_turned(drawn);
     write_image(drawn, folder.path() / "turned.tif");
     auto opened = open_overhead_image(folder.path() / "turned.tif");
     ASSERT_TRUE(opened) << error_text(opened);
@@ -133,12 +137,7 @@ TEST_F(TurnedImage, LiesWhereItsFileSaysToATwentiethOfAPixel) {
       drawn.pixels.at(column, row) = {level(column + 0.5, 0.5), level(row + 0.5, 0.5), 128, 255};
     }
   }
-  const double c = 0.5 * std::cos(0.5236), s = 0.5 * std::sin(0.5236);
-  Affine2 placed;
-  placed.linear << c, s, s, -c;
-  placed.offset = {455'000.0, 5'427'000.0};
-  drawn.crs_from_pixel = placed;
-  drawn.crs = "EPSG:32632";
+  place_turned(drawn);
   write_image(drawn, ramps.path() / "ramp.tif");
   auto opened = open_overhead_image(ramps.path() / "ramp.tif");
   ASSERT_TRUE(opened) << error_text(opened);
